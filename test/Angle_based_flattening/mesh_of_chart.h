@@ -11,7 +11,6 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace test_charts {

@@ -10,7 +10,6 @@
 
 #include <CGAL/number_type_config.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <random>

@@ -97,17 +97,15 @@ struct Use
 template <class FT>
 void check_that_nothing_grows(const Columns& a, int relax, int panel)
 {
-  BOOST_TEST_CONTEXT("relax " << relax << ", panel " << panel << ", " << a.rows() << " rows")
-  {
-    const auto analysis = analyze(a, true, relax);
-    CGAL::internal::SuperLU_factors<FT> factors(analysis);
-    BOOST_REQUIRE(factors.factor(a.cast<FT>(), with_panels(panel)));
-    BOOST_TEST(factors.expansions() == 0);
-    BOOST_TEST(factors.nonzeros() <= 2 * analysis->factor_size());
-    const Use use(factors);
-    BOOST_TEST(use.entries <= analysis->factor_size());
-    BOOST_TEST(use.subscripts <= analysis->subscripts());
-  }
+  BOOST_TEST_INFO_SCOPE("relax " << relax << ", panel " << panel << ", " << a.rows() << " rows");
+  const auto analysis = analyze(a, true, relax);
+  CGAL::internal::SuperLU_factors<FT> factors(analysis);
+  BOOST_REQUIRE(factors.factor(a.cast<FT>(), with_panels(panel)));
+  BOOST_TEST(factors.expansions() == 0);
+  BOOST_TEST(factors.nonzeros() <= 2 * analysis->factor_size());
+  const Use use(factors);
+  BOOST_TEST(use.entries <= analysis->factor_size());
+  BOOST_TEST(use.subscripts <= analysis->subscripts());
 }
 
 // The edges of the polygons in a file

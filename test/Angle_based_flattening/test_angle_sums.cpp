@@ -39,9 +39,7 @@
 #include <numeric>
 #include <optional>
 #include <random>
-#include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_angle_sums)
@@ -202,59 +200,6 @@ std::vector<Point_2> bent(std::vector<Point_2> points, double angle, double widt
 }
 
 } // namespace
-
-BOOST_AUTO_TEST_SUITE(nodes)
-
-BOOST_AUTO_TEST_CASE(are_border_vertices_with_an_angle)
-{
-  Chart chart = bump(6, 2);
-  const int inner = chart.number_of_interior_vertices;
-  chart.angle_sums.assign(chart.points.size(), (std::numeric_limits<double>::quiet_NaN)());
-  const int v = chart.edge_source(chart.borders.front()[3]);
-  chart.angle_sums[v] = 2;
-  abf::find_nodes(chart);
-  BOOST_TEST(chart.number_of_nodes() == inner + 1);
-  BOOST_TEST(chart.number_of_bound_nodes == 0);
-  BOOST_TEST(chart.nodes[chart.node[v]].angle_sum == 2);
-  BOOST_TEST(chart.nodes[chart.node[v]].has_planarity);
-  BOOST_TEST(!chart.nodes[chart.node[v]].has_reconstruction);
-
-  for(int c : chart.borders.front())
-    chart.angle_sums[chart.edge_source(c)] = 3;
-  abf::find_nodes(chart); // the sum of all equations is that of all triangles
-  BOOST_TEST(std::count_if(chart.nodes.begin(), chart.nodes.end(),
-                           [](const abf::Constraint_node& node) { return !node.has_planarity; }) == 1);
-}
-
-BOOST_AUTO_TEST_CASE(of_holes_are_the_last_ones)
-{
-  Chart chart = annulus(12);
-  chart.angle_sums.assign(chart.points.size(), (std::numeric_limits<double>::quiet_NaN)());
-  for(int c : chart.borders.front())
-    chart.angle_sums[chart.edge_source(c)] = 3;
-  abf::find_nodes(chart);
-  BOOST_TEST(chart.number_of_bound_nodes == 12);
-  BOOST_TEST(chart.number_of_free_nodes() == 12);
-  for(int c : chart.hole(0))
-    BOOST_TEST(chart.node[chart.edge_source(c)] >= 12);
-}
-
-BOOST_AUTO_TEST_CASE(scale_the_target_angles)
-{
-  Chart chart = bump(6, 2);
-  chart.angle_sums.assign(chart.points.size(), (std::numeric_limits<double>::quiet_NaN)());
-  for(int c : chart.borders.front())
-    chart.angle_sums[chart.edge_source(c)] = 2.5;
-  abf::find_nodes(chart);
-  const std::vector<double> beta = abf::target_angles(chart);
-  std::vector<double> sums(chart.points.size(), 0);
-  for(int c = 0; c < chart.number_of_corners(); ++c)
-    sums[chart.vertex[c]] += beta[c];
-  for(int c : chart.borders.front()) // also where there is no equation
-    BOOST_TEST(sums[chart.edge_source(c)] == 2.5, boost::test_tools::tolerance(1e-12));
-}
-
-BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(rectangles)
 

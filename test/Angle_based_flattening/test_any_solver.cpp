@@ -29,7 +29,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -287,32 +286,18 @@ public:
     return true;
   }
 
-private:
+protected:
   NT m_denominator = 1;
   Calls* m_calls = nullptr;
 };
 
 // Archetype of `SparseLinearAlgebraWithFactorTraits_d`. It refers to the caller's matrix until the last solution, as
 // `Eigen_solver_traits` does.
-class Archetype_factor_traits
+class Archetype_factor_traits : public Archetype_traits
 {
 public:
-  typedef Archetype_matrix Matrix;
-  typedef Archetype_vector Vector;
-  typedef long double NT;
-
-  Archetype_factor_traits() = default;
-  Archetype_factor_traits(const Archetype_factor_traits&) = default;
-  Archetype_factor_traits& operator=(const Archetype_factor_traits&) = delete;
-  Archetype_factor_traits(NT denominator, Calls& calls) : m_denominator(denominator), m_calls(&calls) {}
-
-  bool linear_solver(const Matrix& A, const Vector& B, Vector& X, NT& D)
-  {
-    ++m_calls->one_call_solves;
-    D = m_denominator;
-    Elimination(A).solve(B, X, D);
-    return true;
-  }
+  using Archetype_traits::Archetype_traits;
+  using Archetype_traits::linear_solver;
 
   bool factor(const Matrix& A, NT& D)
   {
@@ -332,8 +317,6 @@ public:
   bool linear_solver(const Matrix&, Vector&) { return false; }
 
 private:
-  NT m_denominator = 1;
-  Calls* m_calls = nullptr;
   const Matrix* m_matrix = nullptr;
 };
 

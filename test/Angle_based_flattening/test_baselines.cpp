@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_baselines)
@@ -76,24 +75,6 @@ double least_distortion(const Chart& chart)
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(second_derivatives_of_the_lagrangian_are_those_of_its_gradient)
-{
-  const Chart chart = test_charts::bump(3, 3);
-  for(const Reconstruction_form form : {PRODUCTS, LOGARITHMS}) {
-    const Lagrangian lagrangian(chart, form);
-    Vector x = lagrangian.start();
-    for(Eigen::Index i = lagrangian.number_of_angles(); i < x.size(); ++i)
-      x[i] = std::sin(i);
-    const Eigen::MatrixXd hessian = lagrangian.hessian(x);
-    const double h = 1e-5;
-    for(Eigen::Index i = 0; i < x.size(); ++i) {
-      const Vector step = h * Vector::Unit(x.size(), i);
-      const Vector difference = (lagrangian.gradient(x + step) - lagrangian.gradient(x - step)) / (2 * h);
-      BOOST_TEST((difference - hessian.col(i)).norm() <= 1e-6 * (1 + hessian.col(i).norm()));
-    }
-  }
-}
-
 BOOST_AUTO_TEST_CASE(all_methods_of_angles_find_the_same_minimum)
 {
   for(const Chart& chart : charts()) {
@@ -142,28 +123,6 @@ BOOST_AUTO_TEST_CASE(linear_abf_is_close_where_the_surface_is_nearly_flat)
   BOOST_TEST(high <= 1e-4);
   BOOST_TEST(low <= high / 12);
   BOOST_TEST(low > 0);
-}
-
-BOOST_AUTO_TEST_CASE(greedy_unfolding_reproduces_planar_angles)
-{
-  const Chart chart = test_charts::flat_grid(10, 7);
-  std::vector<double> alpha = test_charts::planar_angles(chart, test_charts::projected(chart));
-  const std::vector<Point_2> uv = unfold_greedily(chart, alpha);
-  BOOST_TEST(largest_closing_error(chart, alpha, uv) <= 1e-10);
-  BOOST_TEST(largest_difference(alpha, test_charts::planar_angles(chart, uv)) <= 1e-10);
-  const std::size_t inside = alpha.size() / 2 + 15; // far from the border
-  alpha[inside] += 0.01;
-  alpha[inside + 1] -= 0.01;
-  BOOST_TEST(largest_closing_error(chart, alpha, unfold_greedily(chart, alpha)) >= 1e-3);
-}
-
-BOOST_AUTO_TEST_CASE(what_does_not_converge_is_a_failure)
-{
-  const Chart chart = test_charts::bump(8, 23);
-  std::vector<double> alpha;
-  Run_report report;
-  BOOST_TEST(!(Original_ABF{1e-10, 1}).solve_angles(chart, alpha, report));
-  BOOST_TEST(!report.failure.empty());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -148,17 +148,6 @@ inline std::vector<double> planar_angles(const Chart& chart, const std::vector<P
   return alpha;
 }
 
-// Random angles that sum to pi in every triangle.
-inline std::vector<double> random_angles(std::size_t corners, unsigned int seed)
-{
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> uniform(0.3, 1);
-  std::vector<double> alpha(corners);
-  for(double& a : alpha)
-    a = uniform(random);
-  return abf::starting_angles(alpha);
-}
-
 } // namespace test_charts
 
 #endif // ANGLE_BASED_FLATTENING_TEST_CHARTS_H

@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The Angle_based_flattening authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The diagrams of the manual are those that their script draws from the benchmarks' figures: test_diagrams.py SOURCE_FOLDER."""
+"""The diagrams of the manual are those that their script draws from the benchmarks' figures."""
 
 import subprocess
 import sys
@@ -9,7 +9,7 @@ import unittest
 from pathlib import Path
 from xml.etree import ElementTree
 
-ROOT = Path(sys.argv.pop(1)).resolve()
+ROOT = Path(__file__).resolve().parents[2]
 RESULTS = ROOT / "benchmark/Angle_based_flattening/RESULTS.md"
 
 

@@ -23,7 +23,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <random>
 #include <set>
 #include <sstream>
@@ -329,63 +328,6 @@ BOOST_AUTO_TEST_CASE(infeasible)
                    [](auto& random) { return non_finite_point(any_smooth_chart(random), random); });
   check_infeasible("two borders", [](auto& random) { return two_borders(uniform_int(random, 3, 30)); });
   check_infeasible("handle", [](auto& random) { return handle(uniform_int(random, 3, 9)); });
-}
-
-// The chart of a mesh has its faces and edges, wherever reading begins and whichever halfedges the faces name.
-BOOST_AUTO_TEST_CASE(corners_of_charts_that_are_read)
-{
-  namespace abf = SMP::internal::ABF;
-  typedef Surface_mesh::Halfedge_index Halfedge;
-  typedef Surface_mesh::Face_index Face;
-  for(unsigned seed = 1; seed <= seeds; ++seed) {
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      std::mt19937 random(seed);
-      Surface_mesh mesh = mesh_of_chart<Surface_mesh>(random_chart(uniform_int(random, 1, 100), random));
-      for(Face f : mesh.faces())
-        for(int turns = uniform_int(random, 0, 2); turns > 0; --turns)
-          mesh.set_halfedge(f, mesh.next(mesh.halfedge(f)));
-      std::vector<Halfedge> border; // inside it
-      for(Halfedge h : mesh.halfedges())
-        if(mesh.is_border(h))
-          border.push_back(mesh.opposite(h));
-      std::shuffle(border.begin(), border.end(), random);
-
-      abf::Chart_reader<Surface_mesh> reader(mesh);
-      BOOST_REQUIRE(!reader.read(mesh.opposite(border.front())));
-      const Chart& chart = reader.chart;
-      BOOST_TEST(reader.number_of_faces() == chart.number_of_triangles());
-      BOOST_TEST(static_cast<std::size_t>(reader.number_of_faces()) == mesh.number_of_faces());
-      BOOST_TEST(chart.points.size() == mesh.number_of_vertices());
-      const auto faced = [&](int c) {
-        Halfedge h = mesh.halfedge(reader.face_of_triangle(c / 3));
-        while(mesh.target(h) != reader.vertex_descriptors[chart.edge_target(c)])
-          h = mesh.next(h);
-        return h;
-      };
-      std::map<Halfedge, Halfedge> sides; // every second edge of the border has another side
-      for(std::size_t i = 0; i + 3 < border.size(); i += 4) {
-        sides[border[i]] = border[i + 2];
-        sides[border[i + 2]] = border[i];
-      }
-      reader.link_seams(
-          [&](Halfedge h) { return sides.count(h) ? sides[h] : Surface_mesh::null_halfedge(); });
-      std::set<Halfedge> found;
-      for(int c = 0; c < chart.number_of_corners(); ++c) {
-        const Halfedge h = faced(c), across = mesh.opposite(h);
-        found.insert(h);
-        BOOST_TEST(mesh.source(h) == reader.vertex_descriptors[chart.edge_source(c)]);
-        BOOST_TEST((chart.opposite[c] < 0) == mesh.is_border(across));
-        BOOST_TEST((chart.seam[c] < 0) == (sides.count(h) == 0));
-        if(chart.opposite[c] >= 0)
-          BOOST_TEST(faced(chart.opposite[c]) == across);
-        if(chart.seam[c] >= 0)
-          BOOST_TEST(faced(chart.seam[c]) == sides[h]);
-      }
-      BOOST_TEST(found.size() == chart.vertex.size());
-      BOOST_TEST(faced(chart.borders.front().front()) == border.front());
-    }
-  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -274,22 +274,20 @@ BOOST_AUTO_TEST_CASE(solver_that_lies)
     for(Options::Layout_type layout : {Options::EXACT_LAYOUT, Options::LEAST_SQUARES_LAYOUT}) {
       bool lied = true;
       for(int call = 1; lied; ++call) {
-        BOOST_TEST_CONTEXT("fault " << fault << ", layout " << layout << ", call " << call)
-        {
-          Run run;
-          Countdown countdown{0, call};
-          SMP::ABF_plus_plus_parameterizer_3<Surface_mesh, Faulty_traits> parameterizer(
-              with_layout(layout), Faulty_traits(fault, countdown));
-          const SMP::Error_code code = run.parameterize(parameterizer);
-          lied = countdown.has_ended();
-          BOOST_TEST(error_code(parameterizer.report().status) == code);
-          if(code == SMP::OK) {
-            BOOST_TEST(SMP::is_locally_injective(run.mesh, run.uv));
-          } else {
-            BOOST_TEST(lied);
-            BOOST_TEST(!parameterizer.report().message.empty());
-            BOOST_TEST(run.is_untouched());
-          }
+        BOOST_TEST_INFO_SCOPE("fault " << fault << ", layout " << layout << ", call " << call);
+        Run run;
+        Countdown countdown{0, call};
+        SMP::ABF_plus_plus_parameterizer_3<Surface_mesh, Faulty_traits> parameterizer(
+            with_layout(layout), Faulty_traits(fault, countdown));
+        const SMP::Error_code code = run.parameterize(parameterizer);
+        lied = countdown.has_ended();
+        BOOST_TEST(error_code(parameterizer.report().status) == code);
+        if(code == SMP::OK) {
+          BOOST_TEST(SMP::is_locally_injective(run.mesh, run.uv));
+        } else {
+          BOOST_TEST(lied);
+          BOOST_TEST(!parameterizer.report().message.empty());
+          BOOST_TEST(run.is_untouched());
         }
       }
     }
@@ -364,14 +362,13 @@ struct Stopping_visitor : SMP::Flattening_visitor
 };
 
 template <typename Parameterizer, typename Visited_options>
-void check_stopping_visitor(int least_calls)
+void check_stopping_visitor(int least_calls, Visited_options options)
 {
   for(bool throws : {true, false}) {
     int calls = 1;
     for(;; ++calls) {
       Run run;
       Stopping_visitor visitor(calls, throws);
-      Visited_options options;
       options.visitor = &visitor;
       Parameterizer parameterizer(options);
       try {
@@ -397,13 +394,18 @@ void check_stopping_visitor(int least_calls)
 // Six stages, and at least two steps
 BOOST_AUTO_TEST_CASE(visitor_that_stops_the_direct_method)
 {
-  check_stopping_visitor<SMP::ABF_plus_plus_parameterizer_3<Surface_mesh>, Options>(8);
+  check_stopping_visitor<SMP::ABF_plus_plus_parameterizer_3<Surface_mesh>>(8, Options());
 }
 
 BOOST_AUTO_TEST_CASE(visitor_that_stops_the_hierarchical_method)
 {
-  check_stopping_visitor<SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Surface_mesh>,
-                         SMP::Hierarchical_options>(6);
+  for(bool injective : {false, true})
+    for(bool polish : {false, true}) {
+      SMP::Hierarchical_options options;
+      options.injective = injective;
+      options.polish = polish;
+      check_stopping_visitor<SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Surface_mesh>>(6, options);
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -131,16 +131,6 @@ double angular_distortion(const Chart& chart, const std::vector<Point_2>& uv)
   return sum / chart.number_of_corners();
 }
 
-// The sum of the targets at each vertex
-std::vector<double> target_sums(const Chart& chart)
-{
-  const std::vector<double> beta = abf::target_angles(chart);
-  std::vector<double> sum(chart.points.size(), 0.);
-  for(int c = 0; c < chart.number_of_corners(); ++c)
-    sum[chart.vertex[c]] += beta[c];
-  return sum;
-}
-
 void check_filled(const Chart& chart, const Chart& filled)
 {
   BOOST_TEST(filled.borders.size() == 1);
@@ -158,21 +148,6 @@ void check_filled(const Chart& chart, const Chart& filled)
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(filled_charts_are_disks)
-{
-  for(const Chart& chart : punched_disks()) {
-    BOOST_TEST_REQUIRE(!abf::diagnose(chart, true));
-    const Chart filled = abf::fill_holes(chart, 0.25);
-    check_filled(chart, filled);
-    for(int t = 0; t < filled.number_of_triangles(); ++t)
-      BOOST_TEST(filled.weight[t] == (t < chart.number_of_triangles() ? 1 : 0.25));
-    const std::vector<double> sum = target_sums(filled);
-    for(int v = 0; v < filled.number_of_vertices(); ++v)
-      if(filled.interior[v] >= 0)
-        BOOST_TEST(std::abs(sum[v] - 2 * CGAL_PI) < 0.2);
-  }
-}
-
 // An edge without length around the hole, wherever the ring begins
 BOOST_AUTO_TEST_CASE(takes_vertices_at_one_point)
 {
@@ -184,18 +159,6 @@ BOOST_AUTO_TEST_CASE(takes_vertices_at_one_point)
     BOOST_TEST(abf::fill_holes(degenerate, abf::soft_patch_weight).borders.size() == 1u);
     BOOST_TEST(flatten(degenerate).succeeded());
   }
-}
-
-BOOST_AUTO_TEST_CASE(patches_weigh_as_much_as_their_surroundings)
-{
-  Chart chart = punched(bump(20, 1), [](double x, double y) { return is_near(x, y, 0.5, 0.5, 0.2); });
-  chart.weight.assign(chart.number_of_triangles(), 4.);
-  Chart filled = abf::fill_holes(chart, 0.1);
-  BOOST_TEST(filled.weight.front() == 4);
-  BOOST_TEST(filled.weight.back() == 0.4, boost::test_tools::tolerance(1e-12));
-  filled = abf::stiffen_patches({filled, {}}, chart, 10).chart;
-  BOOST_TEST(filled.weight.front() == 4);
-  BOOST_TEST(filled.weight.back() == 4, boost::test_tools::tolerance(1e-12));
 }
 
 // Collinear vertices have no triangles, and too many take too long.

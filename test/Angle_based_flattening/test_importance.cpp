@@ -14,9 +14,6 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/solve_angles.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/merged_weights.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/coarsen.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_vertex.h>
 #include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
@@ -39,7 +36,6 @@ namespace SMP = CGAL::Surface_mesh_parameterization;
 typedef CGAL::Surface_mesh<Point_3> Mesh;
 typedef Mesh::Face_index Face;
 typedef SMP::ABF_plus_plus_options Options;
-typedef SMP::ABF_plus_plus_report Report;
 typedef SMP::ABF_plus_plus_parameterizer_3<Mesh> Direct;
 typedef SMP::Hierarchical_parameterizer_3<Mesh> Hierarchical;
 
@@ -151,20 +147,6 @@ BOOST_AUTO_TEST_CASE(stationary_angles_are_those_of_the_weighted_energy)
   }
 }
 
-BOOST_AUTO_TEST_CASE(newton_converges_quadratically_with_weights)
-{
-  Chart chart = bump(12, 4);
-  chart.weight = random_weights(chart.number_of_triangles());
-  const abf::Angle_solution solution = solve(chart);
-  BOOST_TEST(solution.converged);
-  BOOST_TEST(solution.iterations <= 10);
-  const auto& last = solution.steps.back();
-  const auto& before = solution.steps[solution.steps.size() - 2];
-  // What the model promised is what happened: gradient and Hessian are those of the energy.
-  BOOST_TEST(last.predicted_decrease < 1e-3 * before.predicted_decrease);
-  BOOST_TEST(last.step_length == 1);
-}
-
 // A factor of four changes exponents only, a factor of two also roots.
 BOOST_AUTO_TEST_CASE(common_factors_do_not_matter)
 {
@@ -179,65 +161,6 @@ BOOST_AUTO_TEST_CASE(common_factors_do_not_matter)
     BOOST_TEST(difference <= (factor == 1 || factor == 4 || factor == 0.25 ? 0 : 1e-9));
     BOOST_TEST(weighted.energy == factor * plain.energy, boost::test_tools::tolerance(1e-9));
   }
-}
-
-BOOST_AUTO_TEST_CASE(gradient_of_the_weighted_star_matches_finite_differences)
-{
-  Chart chart = bump(6, 6);
-  chart.weight = random_weights(chart.number_of_triangles());
-  const std::vector<double> beta = abf::target_angles(chart);
-  abf::Edge_collapses mesh(chart);
-  std::vector<abf::Planar_point> uv;
-  for(const Point_3& p : chart.points)
-    uv.emplace_back(p.x(), p.y());
-  abf::Angle_star star(beta, abf::Angle_energy{0.1});
-  for(int v = 0; v < chart.number_of_vertices(); ++v) {
-    star.gather(mesh, uv, v);
-    const abf::Angle_star::Energy here(star, uv[v], true);
-    for(int i = 0; i < 2; ++i) {
-      const double h = 1e-6;
-      abf::Planar_point step = abf::Planar_point::Zero();
-      step[i] = h;
-      const double difference = (abf::Angle_star::Energy(star, uv[v] + step, false).value -
-                                 abf::Angle_star::Energy(star, uv[v] - step, false).value) /
-                                (2 * h);
-      BOOST_TEST(std::abs(here.gradient[i] - difference) < 1e-5 * (1 + std::abs(difference)));
-    }
-  }
-}
-
-BOOST_AUTO_TEST_CASE(merged_weights_are_means)
-{
-  Chart chart = bump(20, 7);
-  for(int t = 0; t < chart.number_of_triangles(); ++t)
-    chart.weight.push_back(chart.points[chart.vertex[3 * t]].x() < 0.5 ? 10 : 1);
-  const abf::Merged_weights weights(chart);
-  abf::Coarsening coarsening(chart);
-  coarsening.coarsen(60, 0.01);
-  abf::Coarse_chart coarse(coarsening.mesh(), coarsening.alive());
-  weights.apply(coarsening, coarse);
-  const Chart& result = coarse.chart;
-  BOOST_REQUIRE(static_cast<int>(result.weight.size()) == result.number_of_triangles());
-  int low = 0, high = 0;
-  for(int t = 0; t < result.number_of_triangles(); ++t) {
-    BOOST_TEST(result.weight[t] >= 1 - 1e-9);
-    BOOST_TEST(result.weight[t] <= 10 + 1e-9);
-    double least = 1, largest = 0;
-    for(int c = 3 * t; c < 3 * t + 3; ++c) {
-      least = (std::min)(least, result.points[result.vertex[c]].x());
-      largest = (std::max)(largest, result.points[result.vertex[c]].x());
-    }
-    if(largest < 0.3) {
-      ++high;
-      BOOST_TEST(result.weight[t] > 8);
-    }
-    if(least > 0.7) {
-      ++low;
-      BOOST_TEST(result.weight[t] < 3);
-    }
-  }
-  BOOST_TEST(low > 0);
-  BOOST_TEST(high > 0);
 }
 
 BOOST_AUTO_TEST_CASE(important_faces_change_less)

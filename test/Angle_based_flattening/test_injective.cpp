@@ -20,6 +20,9 @@
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/area_objective.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/injective_descent.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/tutte_map.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 
 #include <cmath>
@@ -200,12 +203,11 @@ BOOST_AUTO_TEST_CASE(pairs_by_brute_force_find_what_overlaps)
 
 BOOST_AUTO_TEST_CASE(hilbert_curves_become_injective)
 {
-  for(int order = 1; order <= (is_quick ? 3 : 5); ++order)
-    BOOST_TEST_CONTEXT("order " << order)
-    {
-      BOOST_TEST(fault(hilbert_strip(order, 2)) == "");
-      BOOST_TEST(fault(hilbert_strip(order, 1, 0.2)) == "");
-    }
+  for(int order = 1; order <= (is_quick ? 3 : 5); ++order) {
+    BOOST_TEST_INFO_SCOPE("order " << order);
+    BOOST_TEST(fault(hilbert_strip(order, 2)) == "");
+    BOOST_TEST(fault(hilbert_strip(order, 1, 0.2)) == "");
+  }
 }
 
 BOOST_AUTO_TEST_CASE(strips_that_run_into_themselves_become_injective)
@@ -231,23 +233,21 @@ BOOST_AUTO_TEST_CASE(spirals_become_injective)
 BOOST_AUTO_TEST_CASE(staircases_become_injective)
 {
   for(double turns : some<double>({0.9, 1., 7., 1.1, 2.5}))
-    for(double rise : some<double>({0., 0.3}))
-      BOOST_TEST_CONTEXT("turns " << turns << ", rise " << rise)
-      {
-        BOOST_TEST(fault(staircase(static_cast<int>(30 * turns), 4, turns, rise)) == "");
-        BOOST_TEST(fault(staircase(static_cast<int>(30 * turns), 2, turns, rise, 1.05)) == "");
-      }
+    for(double rise : some<double>({0., 0.3})) {
+      BOOST_TEST_INFO_SCOPE("turns " << turns << ", rise " << rise);
+      BOOST_TEST(fault(staircase(static_cast<int>(30 * turns), 4, turns, rise)) == "");
+      BOOST_TEST(fault(staircase(static_cast<int>(30 * turns), 2, turns, rise, 1.05)) == "");
+    }
 }
 
 BOOST_AUTO_TEST_CASE(combs_become_injective)
 {
   for(int teeth : some<int>({1, 20, 3}))
     for(int length : some<int>({1, 30}))
-      for(double hills : some<double>({0., 1.}))
-        BOOST_TEST_CONTEXT(teeth << " teeth of length " << length << ", hills " << hills)
-        {
-          BOOST_TEST(fault(comb(teeth, length, hills)) == "");
-        }
+      for(double hills : some<double>({0., 1.})) {
+        BOOST_TEST_INFO_SCOPE(teeth << " teeth of length " << length << ", hills " << hills);
+        BOOST_TEST(fault(comb(teeth, length, hills)) == "");
+      }
 }
 
 BOOST_AUTO_TEST_CASE(spheres_cut_along_trees_become_injective)
@@ -257,10 +257,8 @@ BOOST_AUTO_TEST_CASE(spheres_cut_along_trees_become_injective)
       break;
     std::mt19937 random(static_cast<unsigned>(branches));
     const Chart chart = tree_cut_sphere(branches < 20 ? 4 : 5, branches, 1.5, random);
-    BOOST_TEST_CONTEXT(branches << " branches")
-    {
-      BOOST_TEST(fault(chart) == "");
-    }
+    BOOST_TEST_INFO_SCOPE(branches << " branches");
+    BOOST_TEST(fault(chart) == "");
   }
 }
 
@@ -280,11 +278,10 @@ BOOST_AUTO_TEST_CASE(random_cuts_of_bumpy_spheres_become_injective)
 BOOST_AUTO_TEST_CASE(surfaces_with_a_large_range_of_scale_become_injective)
 {
   for(double length : some<double>({1., 10., 23.}))
-    for(double area_weight : area_weights)
-      BOOST_TEST_CONTEXT("length " << length << ", area weight " << area_weight)
-      {
-        BOOST_TEST(fault(finger(12, static_cast<int>(3 * length), length), injective(area_weight)) == "");
-      }
+    for(double area_weight : area_weights) {
+      BOOST_TEST_INFO_SCOPE("length " << length << ", area weight " << area_weight);
+      BOOST_TEST(fault(finger(12, static_cast<int>(3 * length), length), injective(area_weight)) == "");
+    }
   std::mt19937 random(1);
   const auto [points, triangles] = sphere(4);
   BOOST_TEST(fault(tree_cut(with_bumps(points, 4, 30, 100, random), triangles, 1, 1, random)) == "");
@@ -313,12 +310,11 @@ BOOST_AUTO_TEST_CASE(a_map_that_doubles_cannot_hold_is_an_error_that_says_so)
 BOOST_AUTO_TEST_CASE(borders_with_edges_of_all_sizes_become_injective)
 {
   for(double width : some<double>({0.3, 1., 2.5}))
-    for(double area_weight : area_weights)
-      BOOST_TEST_CONTEXT("width " << width << ", area weight " << area_weight)
-      {
-        const Chart chart = logarithmic_spiral(90, 3, 3, std::pow(1e10, 1 / 3.), width);
-        BOOST_TEST(fault(chart, injective(area_weight)) == "");
-      }
+    for(double area_weight : area_weights) {
+      BOOST_TEST_INFO_SCOPE("width " << width << ", area weight " << area_weight);
+      const Chart chart = logarithmic_spiral(90, 3, 3, std::pow(1e10, 1 / 3.), width);
+      BOOST_TEST(fault(chart, injective(area_weight)) == "");
+    }
   if(!is_quick)
     BOOST_TEST(fault(logarithmic_spiral(300, 3, 10, 10, 1)) == "");
 }
@@ -327,24 +323,22 @@ BOOST_AUTO_TEST_CASE(bulbs_joined_by_single_edges_become_injective)
 {
   for(int bulbs : some<int>({2, 3, 10}))
     for(int subdivisions : some<int>({0, 2}))
-      for(double area_weight : area_weights)
-        BOOST_TEST_CONTEXT(bulbs << " bulbs, " << subdivisions << " subdivisions, area weight "
-                                 << area_weight)
-        {
-          BOOST_TEST(fault(chain_of_bulbs(bulbs, subdivisions), injective(area_weight)) == "");
-        }
+      for(double area_weight : area_weights) {
+        BOOST_TEST_INFO_SCOPE(bulbs << " bulbs, " << subdivisions << " subdivisions, area weight "
+                                    << area_weight);
+        BOOST_TEST(fault(chain_of_bulbs(bulbs, subdivisions), injective(area_weight)) == "");
+      }
 }
 
 BOOST_AUTO_TEST_CASE(a_border_of_three_vertices_is_enough)
 {
   for(int subdivisions : some<int>({0, 1, 3}))
     for(double stretch : some<double>({1., 10.}))
-      for(const Options& options : {injective(), isometric()})
-        BOOST_TEST_CONTEXT(subdivisions << " subdivisions, stretch " << stretch << ", area weight "
-                                        << options.area_weight)
-        {
-          BOOST_TEST(fault(sphere_without_triangle(subdivisions, stretch), options) == "");
-        }
+      for(const Options& options : {injective(), isometric()}) {
+        BOOST_TEST_INFO_SCOPE(subdivisions << " subdivisions, stretch " << stretch << ", area weight "
+                                           << options.area_weight);
+        BOOST_TEST(fault(sphere_without_triangle(subdivisions, stretch), options) == "");
+      }
 }
 
 BOOST_AUTO_TEST_CASE(a_triangle_and_other_small_charts_are_flattened)
@@ -402,6 +396,41 @@ BOOST_AUTO_TEST_CASE(holes_stay_simple_and_inside_and_apart)
   BOOST_TEST(fault(tube(24, 2, 1, 1.05, 0)) == "");
 }
 
+// The direct method's own map where that is injective, and a polished one where it overlaps itself
+BOOST_AUTO_TEST_CASE(the_direct_method_gives_injective_maps_too)
+{
+  std::mt19937 random(4);
+  int overlapping = 0, own = 0;
+  for(const Chart& chart : {bump(8, 1), staircase(40, 4, 1.6, 0.2), tree_cut_sphere(3, 12, 3, random),
+                            winding_strip(2, 2, 2), saddle(6, 1)}) {
+    const auto flatten = [&](bool injective) {
+      SMP::ABF_plus_plus_options options;
+      options.injective = injective;
+      Direct direct(options);
+      const Run<> run(chart, direct);
+      BOOST_TEST(run.code == SMP::OK);
+      BOOST_TEST((!injective || run.overlap() == ""));
+      return direct.report();
+    };
+    const SMP::ABF_plus_plus_report free = flatten(false), injective = flatten(true);
+    BOOST_TEST(!free.injective); // was not asked for
+    BOOST_TEST(injective.injective);
+    if(free.border_is_simple) {
+      ++own;
+      BOOST_TEST(injective.strategy == SMP::ABF_plus_plus_report::FROM_TARGET_ANGLES);
+      BOOST_TEST(injective.energy == free.energy);
+    } else {
+      ++overlapping;
+      BOOST_TEST(injective.strategy == SMP::ABF_plus_plus_report::INJECTIVE_DESCENT);
+      BOOST_REQUIRE(!injective.failed_strategies.empty());
+      BOOST_TEST(injective.failed_strategies.back().status == SMP::Diagnosis::OVERLAPPING);
+      BOOST_TEST(injective.triangles == chart.number_of_triangles());
+    }
+  }
+  BOOST_TEST(own > 0);
+  BOOST_TEST(overlapping > 0);
+}
+
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(options)
@@ -426,10 +455,8 @@ BOOST_AUTO_TEST_CASE(any_options_give_an_injective_map)
     const Chart chart = seed % 3 == 0   ? random_strip(100, 2, random)
                         : seed % 3 == 1 ? tree_cut_bumps(3, 5, 2, 10, random)
                                         : random_chart(300, random);
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      BOOST_TEST(fault(chart, any_options(random)) == "");
-    }
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    BOOST_TEST(fault(chart, any_options(random)) == "");
   }
 }
 
@@ -622,6 +649,32 @@ BOOST_AUTO_TEST_CASE(the_same_bits_on_any_number_of_threads)
   }
 }
 
+// On a rough surface, parts of the border get stuck while they grow. The energy then rises from step to step, and the
+// 120 steps of one of these charts would be for nothing. How many there are depends on rounding: fewer than 80 with Eigen
+// 3.4, and 82 with Eigen 5.
+BOOST_AUTO_TEST_CASE(a_descent_ends_where_the_energy_does_not_fall_any_more)
+{
+  for(double roughness : {0.5, 1.})
+    for(double area_weight : {0.01, 0.2}) {
+      std::mt19937 random(4);
+      std::uniform_real_distribution<double> height(-roughness, roughness);
+      const Chart chart = grid(32, 4, [&](double, double) { return height(random); });
+      const abf::Linear_solvers solvers = CGAL::SuperLU_solver_traits<>();
+      std::vector<abf::Planar_point> uv = abf::Tutte_map(chart).run(solvers).value();
+      const abf::Area_objective objective(chart, area_weight);
+      abf::Injective_descent<abf::Area_objective> descent(chart, objective, 0.1, solvers);
+      BOOST_TEST(descent.run(uv, {1e-3, 200}));
+      // The second chart takes 31 or 32 steps with each kernel of OpenBLAS that was tried, and 73 to 91 if the descent
+      // goes on where the energy falls no more. How many the others take depends on the kernel.
+      BOOST_TEST(descent.steps() < (roughness == 0.5 && area_weight == 0.2 ? 50 : 200));
+      std::vector<Point_2> points;
+      for(const abf::Planar_point& p : uv)
+        points.emplace_back(p.x(), p.y());
+      BOOST_TEST(overlapping_pairs_by_brute_force(chart, points).empty());
+      BOOST_TEST(abf::flipped_triangles(chart, points).empty());
+    }
+}
+
 // Less precise coordinates hold fewer maps.
 BOOST_AUTO_TEST_CASE(coordinates_that_are_rounded_stay_injective)
 {
@@ -643,71 +696,6 @@ BOOST_AUTO_TEST_CASE(coordinates_that_are_rounded_stay_injective)
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_AUTO_TEST_SUITE(faults)
-
-namespace {
-
-// Ends the run at its n-th call, by an exception or by returning `false`.
-struct Stopping_visitor : SMP::Flattening_visitor
-{
-  int countdown;
-  bool throws;
-  std::vector<int> stages = std::vector<int>(WRITE + 1, 0); // how often each has begun
-
-  Stopping_visitor(int calls, bool by_exception) : countdown(calls), throws(by_exception) {}
-
-  bool start(Stage stage) override
-  {
-    ++stages[stage];
-    return go_on();
-  }
-  bool step(const SMP::ABF_plus_plus_step&) override { return go_on(); }
-  bool level(int, int) override { return go_on(); }
-
-  bool go_on()
-  {
-    if(--countdown != 0)
-      return true;
-    if(throws)
-      throw std::runtime_error("visitor");
-    return false;
-  }
-};
-
-} // namespace
-
-BOOST_AUTO_TEST_CASE(a_visitor_stops_every_stage)
-{
-  const Chart chart = is_quick ? winding_strip(2, 2, 2) : winding_strip(3, 2, 5);
-  for(bool polished : {false, true})
-    for(int calls = 1, is_stopped = true; is_stopped; ++calls) {
-      Stopping_visitor visitor(calls, calls % 2 == 0);
-      Options options = injective();
-      options.polish = polished;
-      options.visitor = &visitor;
-      Parameterizer parameterizer(options);
-      Run<> run(chart);
-      try {
-        run.flatten(parameterizer);
-        is_stopped = visitor.countdown <= 0;
-        BOOST_TEST(!(is_stopped && visitor.throws));
-        if(is_stopped) {
-          BOOST_TEST(run.code == SMP::ERROR_NO_1_TO_1_MAPPING);
-          BOOST_TEST((parameterizer.report().status == SMP::Diagnosis::CANCELLED));
-        }
-      } catch(const std::runtime_error&) {
-        BOOST_TEST(visitor.throws);
-      }
-      if(is_stopped) {
-        BOOST_TEST(run.is_untouched());
-        continue;
-      }
-      BOOST_TEST(contradiction(run, parameterizer.report()) == "");
-      for(const auto stage :
-          {Stopping_visitor::READ, Stopping_visitor::COARSEN, Stopping_visitor::COARSE_CHART,
-           Stopping_visitor::REFINE, Stopping_visitor::CERTIFY, Stopping_visitor::WRITE})
-        BOOST_TEST(visitor.stages[stage] > 0, "stage " << stage);
-    }
-}
 
 namespace {
 
@@ -799,11 +787,9 @@ BOOST_AUTO_TEST_CASE(a_faulty_solver_never_leads_to_an_overlap)
       Injective parameterizer(options, Injective::Coarse_parameterizer(), Faulty_traits(&calls, lies));
       const Run<> run(chart, parameterizer);
       is_hit = calls <= 0;
-      BOOST_TEST_CONTEXT("call " << call << (lies ? " lies" : " fails"))
-      {
-        BOOST_TEST(contradiction(run, parameterizer.report()) == "");
-        BOOST_TEST((is_hit || run.code == SMP::OK));
-      }
+      BOOST_TEST_INFO_SCOPE("call " << call << (lies ? " lies" : " fails"));
+      BOOST_TEST(contradiction(run, parameterizer.report()) == "");
+      BOOST_TEST((is_hit || run.code == SMP::OK));
     }
 }
 

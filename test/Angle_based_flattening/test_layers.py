@@ -1,14 +1,13 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026 The Angle_based_flattening authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks that each internal folder includes only folders below it in the manual's table (mathematics.txt). Usage:
-test_layers.py ROOT"""
+"""Checks that each internal folder includes only folders below it in the manual's table (mathematics.txt)"""
 
 import re
 import sys
 from pathlib import Path
 
-root = Path(sys.argv[1])
+root = Path(__file__).resolve().parents[2]
 packages = [f"CGAL/{name}/" for name in (
     "Texture_atlas/internal", "Surface_mesh_parameterization/internal/angle_based_flattening")]
 page = (root / "doc/Angle_based_flattening/mathematics.txt").read_text(encoding="utf-8")

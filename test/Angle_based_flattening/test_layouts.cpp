@@ -56,36 +56,6 @@ Report flatten(const Chart& chart, const Options& options, std::vector<Point_2>&
 
 } // namespace
 
-BOOST_AUTO_TEST_SUITE(the_chart)
-
-BOOST_AUTO_TEST_CASE(finds_borders_and_interior_vertices)
-{
-  const Chart chart = flat_grid(5, 1);
-  BOOST_REQUIRE_EQUAL(chart.borders.size(), 1u);
-  BOOST_TEST(chart.borders[0].size() == 20u);
-  BOOST_TEST(chart.number_of_interior_vertices == 16);
-  for(std::size_t i = 0; i < 20; ++i)
-    BOOST_TEST(chart.edge_target(chart.borders[0][i]) == chart.edge_source(chart.borders[0][(i + 1) % 20]));
-
-  BOOST_TEST(annulus(7).borders.size() == 2u);
-  BOOST_TEST(annulus(7).number_of_interior_vertices == 0);
-  BOOST_TEST(pyramid(1000, 1).number_of_interior_vertices == 1);
-}
-
-BOOST_AUTO_TEST_CASE(rotates_through_the_whole_fan)
-{
-  const Chart chart = pyramid(6, 1);
-  int c = 0, steps = 0;
-  do {
-    BOOST_TEST(chart.vertex[c] == 0);
-    c = chart.rotate(c);
-    ++steps;
-  } while(c != 0);
-  BOOST_TEST(steps == 6);
-}
-
-BOOST_AUTO_TEST_SUITE_END()
-
 BOOST_AUTO_TEST_SUITE(diagnosis)
 
 BOOST_AUTO_TEST_CASE(accepts_what_can_be_flattened)
@@ -122,28 +92,6 @@ BOOST_AUTO_TEST_CASE(names_what_cannot)
   // Two triangles that share vertex 0, joined by a bridge of others.
   check_defect(make_chart(p, {{0, 1, 2}, {0, 4, 5}, {2, 1, 3}, {3, 1, 6}, {3, 6, 4}, {4, 6, 5}}),
                SMP::Diagnosis::NON_MANIFOLD_VERTEX, {0});
-}
-
-BOOST_AUTO_TEST_CASE(recognises_parallel_edges)
-{
-  // A vertex of degree two in the middle of the edge between 0 and 1. The two triangles beside it have different
-  // edges between the same vertices. Only the corner table can represent this.
-  const std::vector<Point_3> p{{0, 0, 0}, {1, 0, 0}, {.5, 0, 0}, {.5, 1, 0}, {.5, -1, 0}};
-  Chart chart;
-  chart.points = p;
-  chart.vertex = {2, 0, 1, 2, 1, 0, 3, 0, 1, 4, 1, 0};
-  // Triangles (2,0,1) and (2,1,0) share their edges at vertex 2; the edge 01 of the first is glued to that of
-  // triangle 3, the edge 01 of the second to that of triangle 4.
-  chart.opposite = {9, 4, 5 - 0, 6, 1, 2, 3, -1, -1, 0, -1, -1};
-  chart.opposite[1] = 5;
-  chart.opposite[5] = 1;
-  chart.opposite[2] = 4;
-  chart.opposite[4] = 2;
-  abf::find_borders(chart);
-  const abf::Chart_defect defect = abf::diagnose(chart, false);
-  BOOST_TEST(defect.status == SMP::Diagnosis::PARALLEL_EDGES);
-  BOOST_REQUIRE_EQUAL(defect.vertices.size(), 2u);
-  BOOST_TEST(defect.vertices[0] + defect.vertices[1] == 1);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -189,64 +137,6 @@ BOOST_AUTO_TEST_CASE(of_angles_that_are_not_numbers)
   const std::vector<double> alpha(6, std::numeric_limits<double>::quiet_NaN());
   const auto uv = abf::Least_squares_layout(chart, alpha).solve(Solver());
   BOOST_TEST((!uv || abf::flipped_triangles(chart, *uv).size() == 2u));
-}
-
-// The minimum of Eq. 21 is where no single coordinate can improve it.
-BOOST_AUTO_TEST_CASE(least_squares_minimizes_equation_21)
-{
-  const Chart chart = bump(5, 3);
-  const std::vector<double> alpha = random_angles(chart.vertex.size(), 4);
-  const auto solution = abf::Least_squares_layout(chart, alpha).solve(Solver());
-  BOOST_REQUIRE(solution.has_value());
-  std::vector<Point_2> uv = *solution;
-  const auto error = [&](const std::vector<Point_2>& points) {
-    double sum = 0;
-    for(int t = 0; t < chart.number_of_triangles(); ++t) {
-      int l = 3 * t;
-      for(int c = l; c < 3 * t + 3; ++c)
-        if(std::sin(alpha[c]) > std::sin(alpha[l]))
-          l = c;
-      const int j = abf::next_corner(l), k = abf::previous_corner(l);
-      const auto z = [&](int c) {
-        return std::complex<double>(points[chart.vertex[c]].x(), points[chart.vertex[c]].y());
-      };
-      const auto m = std::polar(std::sin(alpha[k]) / std::sin(alpha[l]), alpha[j]);
-      sum += std::norm(m * (z(j) - z(k)) + z(l) - z(j));
-    }
-    return sum;
-  };
-  const double least = error(uv);
-  const auto [origin, unit] = abf::far_apart_border_vertices(chart);
-  for(int v = 0; v < chart.number_of_vertices(); ++v)
-    for(double step : {-1e-4, 1e-4})
-      if(v != origin && v != unit) {
-        auto moved = uv;
-        moved[v] = Point_2(uv[v].x() + step, uv[v].y());
-        BOOST_TEST(error(moved) > least);
-        moved[v] = Point_2(uv[v].x(), uv[v].y() + step);
-        BOOST_TEST(error(moved) > least);
-      }
-}
-
-BOOST_AUTO_TEST_SUITE_END()
-
-BOOST_AUTO_TEST_SUITE(certificate)
-
-BOOST_AUTO_TEST_CASE(counts_flips_exactly)
-{
-  const Chart chart = flat_grid(4, 6);
-  std::vector<Point_2> uv = projected(chart);
-  BOOST_TEST(abf::flipped_triangles(chart, uv).empty());
-
-  // The sign depends on the last bit of a coordinate, which the determinant in doubles loses.
-  const Chart one = make_chart({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
-  const double ulp = std::numeric_limits<double>::epsilon() / 2;
-  BOOST_TEST(abf::flipped_triangles(one, {{0.5, 0.5}, {12, 12}, {24, 24}}).size() == 1u);
-  BOOST_TEST(abf::flipped_triangles(one, {{0.5, 0.5 + ulp}, {12, 12}, {24, 24}}).size() == 0u);
-  BOOST_TEST(abf::flipped_triangles(one, {{0.5, 0.5 - ulp}, {12, 12}, {24, 24}}).size() == 1u);
-  BOOST_TEST(
-      abf::flipped_triangles(one, {{0, 0}, {1, 0}, {0, std::numeric_limits<double>::quiet_NaN()}}).size() ==
-      1u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

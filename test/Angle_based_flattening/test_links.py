@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The Angle_based_flattening authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The links of the Markdown files lead somewhere, and those that lead nowhere are found: test_links.py SOURCE_FOLDER."""
+"""The links of the Markdown files lead somewhere, and those that lead nowhere are found."""
 
 import subprocess
 import sys
@@ -8,7 +8,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-ROOT = Path(sys.argv.pop(1)).resolve()
+ROOT = Path(__file__).resolve().parents[2]
 
 PAGE = """<html><body><h1 id="top">Page</h1><a name="old"></a><img src="picture.png">
 {}

@@ -25,7 +25,6 @@
 #include <limits>
 #include <ostream>
 #include <set>
-#include <stdexcept>
 #include <thread>
 #include <utility>
 #include <vector>

@@ -21,7 +21,6 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/generators.h>
-#include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/flatten_surface.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
@@ -146,13 +145,6 @@ BOOST_AUTO_TEST_CASE(surface_mesh)
   check_valid(mesh);
 }
 
-BOOST_AUTO_TEST_CASE(polyhedron)
-{
-  Polyhedron mesh;
-  test_meshes::make_bump(12, mesh);
-  check_valid(mesh);
-}
-
 BOOST_AUTO_TEST_CASE(same_result_on_every_mesh_type)
 {
   Surface_mesh mesh;
@@ -165,39 +157,6 @@ BOOST_AUTO_TEST_CASE(same_result_on_every_mesh_type)
   BOOST_TEST(b.run(polyhedron) == SMP::OK);
   BOOST_TEST(a.parameterizer.report().energy == b.parameterizer.report().energy,
              boost::test_tools::tolerance(1e-9));
-}
-
-// A sphere slit open along a path, as CGAL's seam meshes are made.
-BOOST_AUTO_TEST_CASE(seam_mesh)
-{
-  typedef boost::graph_traits<Surface_mesh>::edge_descriptor edge_descriptor;
-  typedef boost::graph_traits<Surface_mesh>::vertex_descriptor vertex_descriptor;
-  typedef Surface_mesh::Property_map<edge_descriptor, bool> Seam_edges;
-  typedef Surface_mesh::Property_map<vertex_descriptor, bool> Seam_vertices;
-  typedef CGAL::Seam_mesh<Surface_mesh, Seam_edges, Seam_vertices> Mesh;
-
-  Surface_mesh sphere;
-  CGAL::make_icosahedron(sphere, Point_3(0, 0, 0), 1);
-  auto is_seam_edge = sphere.add_property_map<edge_descriptor, bool>("e:on_seam", false).first;
-  auto is_seam_vertex = sphere.add_property_map<vertex_descriptor, bool>("v:on_seam", false).first;
-  Mesh mesh(sphere, is_seam_edge, is_seam_vertex);
-  // Two edges in a row: slit along a single one, the sphere could not be flattened.
-  const auto h = *halfedges(sphere).begin();
-  const auto g = opposite(next(opposite(next(h, sphere), sphere), sphere), sphere);
-  BOOST_REQUIRE(target(h, sphere) == target(g, sphere));
-  BOOST_REQUIRE(mesh.add_seam(source(h, sphere), target(h, sphere)));
-  BOOST_REQUIRE(mesh.add_seam(target(g, sphere), source(g, sphere)));
-  BOOST_REQUIRE(mesh.number_of_seam_edges() == 2);
-
-  std::unordered_map<Surface_mesh::Halfedge_index, Point_2> uv;
-  auto uv_of_halfedge = boost::make_assoc_property_map(uv);
-  const Mesh::halfedge_descriptor bhd = PMP::longest_border(mesh).first;
-  SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer;
-  BOOST_TEST(SMP::parameterize(mesh, parameterizer, bhd, uv_of_halfedge) == SMP::OK);
-  BOOST_TEST(parameterizer.report().message == "");
-  BOOST_TEST(parameterizer.report().triangles == 20);
-  BOOST_TEST(parameterizer.report().vertices == 13);
-  BOOST_TEST(SMP::measure_flattening(mesh, bhd, uv_of_halfedge).flipped_triangles == 0);
 }
 
 BOOST_AUTO_TEST_CASE(one_of_several_components)
@@ -251,82 +210,6 @@ BOOST_AUTO_TEST_CASE(float_kernel)
   BOOST_TEST(SMP::parameterize(mesh, parameterizer, bhd, uvmap) == SMP::OK);
   BOOST_TEST(SMP::measure_flattening(mesh, bhd, uvmap).smallest_angle ==
              parameterizer.report().smallest_angle);
-}
-
-BOOST_AUTO_TEST_CASE(same_bits_every_time)
-{
-  Surface_mesh mesh;
-  test_meshes::make_bump(15, mesh);
-  Flattening<Surface_mesh> a, b;
-  BOOST_TEST(a.run(mesh) == SMP::OK);
-  BOOST_TEST(b.run(mesh) == SMP::OK);
-  BOOST_TEST((a.uv == b.uv));
-}
-
-BOOST_AUTO_TEST_CASE(independent_of_units)
-{
-  Surface_mesh mesh;
-  test_meshes::make_bump(8, mesh);
-  Flattening<Surface_mesh> reference;
-  BOOST_TEST(reference.run(mesh) == SMP::OK);
-  for(double scale : {1e-6, 1e6}) {
-    Surface_mesh scaled = mesh;
-    for(Surface_mesh::Vertex_index v : vertices(scaled))
-      scaled.point(v) = CGAL::ORIGIN + scale * (scaled.point(v) - CGAL::ORIGIN);
-    Flattening<Surface_mesh> flattening;
-    BOOST_TEST(flattening.run(scaled) == SMP::OK);
-    for(Surface_mesh::Vertex_index v : vertices(scaled))
-      BOOST_TEST(std::sqrt(CGAL::squared_distance(
-                     flattening.uv[v], Point_2(scale * reference.uv[v].x(), scale * reference.uv[v].y()))) <
-                 1e-8 * scale);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(any_solver)
-{
-  typedef CGAL::Eigen_sparse_matrix<double>::EigenType Matrix;
-  typedef CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<Matrix>> Eigen_traits;
-  Surface_mesh mesh;
-  test_meshes::make_bump(12, mesh);
-  Options options;
-  options.tolerance = 1e-11; // conjugate gradients may end one step earlier with one of them
-  Flattening<Surface_mesh> superlu(options);
-  Flattening<Surface_mesh, Eigen_traits> eigen(options);
-  BOOST_TEST(superlu.run(mesh) == SMP::OK);
-  BOOST_TEST(eigen.run(mesh) == SMP::OK);
-  for(Surface_mesh::Vertex_index v : vertices(mesh))
-    BOOST_TEST(std::sqrt(CGAL::squared_distance(superlu.uv[v], eigen.uv[v])) < 1e-9);
-}
-
-namespace {
-
-// The n-th linear solve of a run fails.
-struct Failing_traits : CGAL::SuperLU_solver_traits<>
-{
-  static inline int countdown = 0;
-
-  bool factor(const Matrix& A, NT& D) { return --countdown != 0 && SuperLU_solver_traits<>::factor(A, D); }
-  bool linear_solver(const Vector& B, Vector& X)
-  {
-    return --countdown != 0 && SuperLU_solver_traits<>::linear_solver(B, X);
-  }
-};
-
-} // namespace
-
-BOOST_AUTO_TEST_CASE(a_failing_solver_is_an_error)
-{
-  Surface_mesh mesh;
-  test_meshes::make_bump(6, mesh);
-  bool failed = true;
-  for(int n = 1; failed; ++n) {
-    Failing_traits::countdown = n;
-    Flattening<Surface_mesh, Failing_traits> flattening;
-    const SMP::Error_code code = flattening.run(mesh);
-    failed = Failing_traits::countdown <= 0;
-    BOOST_TEST(code == (failed ? SMP::ERROR_CANNOT_SOLVE_LINEAR_SYSTEM : SMP::OK));
-    BOOST_TEST(flattening.uv.empty() == failed);
-  }
 }
 
 BOOST_AUTO_TEST_CASE(wrong_input)

@@ -13,17 +13,14 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
-#include <algorithm>
 #include <thread>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_threads)
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
-namespace abf = SMP::internal::ABF;
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_2> UV_map;
@@ -84,43 +81,6 @@ void check_copies(const Parameterizer& original)
 }
 
 } // namespace
-
-// Short loops stay in one thread, longer ones do not.
-BOOST_AUTO_TEST_CASE(loops_meet_each_element_once)
-{
-  for(int n : {0, 1, 2, 1023, 1024, 1025, 16383, 16384, 16385, 300000}) {
-    std::vector<double> sums;
-    for(int number : {1, 2}) {
-      std::vector<int> visits(n, 0), sizes(n / abf::block_size + 1, 0); // of the blocks
-      abf::with_threads(number, [&] {
-        abf::parallel_for_blocks(n, [&](int begin, int end) {
-          sizes[begin / abf::block_size] = end - begin;
-          for(int i = begin; i < end; ++i)
-            ++visits[i];
-        });
-        sums.push_back(abf::parallel_sum(n, [](int i) { return 1. / (i + 1); }));
-      });
-      BOOST_TEST(std::count(visits.begin(), visits.end(), 1) == n);
-      BOOST_TEST(*std::max_element(sizes.begin(), sizes.end()) == (std::min)(n, abf::block_size));
-    }
-    BOOST_TEST(sums.front() == sums.back());
-  }
-}
-
-BOOST_AUTO_TEST_CASE(an_exception_ends_a_loop)
-{
-  struct Found
-  {};
-  for(int size : {1, abf::least_task_size})
-    BOOST_CHECK_THROW(abf::parallel_for(
-                          10,
-                          [](int k) {
-                            if(k == 7)
-                              throw Found();
-                          },
-                          size),
-                      Found);
-}
 
 BOOST_AUTO_TEST_CASE(copies_flatten_directly_at_once)
 {

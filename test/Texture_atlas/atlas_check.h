@@ -28,8 +28,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <string>
-#include <utility>
 #include <vector>
 
 // Atlases and what must be true of them, without any code of the library's own.

@@ -41,7 +41,6 @@
 #include <sstream>
 #include <streambuf>
 #include <string>
-#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_OBJ)
@@ -196,37 +195,36 @@ template <typename Mesh_, typename Point = Point_2>
 void check_round_trip()
 {
   std::size_t without = 0;
-  for(unsigned seed = 0; seed < 200; ++seed)
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      Random random(seed);
-      Textured<Mesh_, Point> written, read;
-      written.generate(random);
-      std::stringstream stream, again;
-      const TA::OBJ_report report = TA::IO::write_OBJ(stream, written.mesh, written.uv,
-                                                      CGAL::parameters::face_patch_map(written.patch));
-      BOOST_TEST_REQUIRE(bool(report));
-      const TA::OBJ_report back = TA::IO::read_OBJ(stream, read.mesh, read.uv);
-      BOOST_TEST_REQUIRE(bool(back), back.message);
-      BOOST_TEST(vertices(read.mesh).size() == vertices(written.mesh).size());
-      BOOST_TEST(num_edges(read.mesh) == num_edges(written.mesh));
-      BOOST_TEST(back.number_of_faces_without_coordinates == report.number_of_faces_without_coordinates);
-      without += back.number_of_faces_without_coordinates;
-      auto face = faces(read.mesh).begin(); // of these, none was put
-      for(const auto f : faces(written.mesh))
-        put(read.patch, *face++, get(written.patch, f));
-      BOOST_TEST((read.corners(true, 7) == written.corners(true, 7)));
-      TA::IO::write_OBJ(again, read.mesh, read.uv, CGAL::parameters::face_patch_map(read.patch));
-      BOOST_TEST((again.str() == stream.str()));
-      BOOST_TEST(is_valid_without_isolated_vertices(read.mesh));
+  for(unsigned seed = 0; seed < 200; ++seed) {
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    Random random(seed);
+    Textured<Mesh_, Point> written, read;
+    written.generate(random);
+    std::stringstream stream, again;
+    const TA::OBJ_report report =
+        TA::IO::write_OBJ(stream, written.mesh, written.uv, CGAL::parameters::face_patch_map(written.patch));
+    BOOST_TEST_REQUIRE(bool(report));
+    const TA::OBJ_report back = TA::IO::read_OBJ(stream, read.mesh, read.uv);
+    BOOST_TEST_REQUIRE(bool(back), back.message);
+    BOOST_TEST(vertices(read.mesh).size() == vertices(written.mesh).size());
+    BOOST_TEST(num_edges(read.mesh) == num_edges(written.mesh));
+    BOOST_TEST(back.number_of_faces_without_coordinates == report.number_of_faces_without_coordinates);
+    without += back.number_of_faces_without_coordinates;
+    auto face = faces(read.mesh).begin(); // of these, none was put
+    for(const auto f : faces(written.mesh))
+      put(read.patch, *face++, get(written.patch, f));
+    BOOST_TEST((read.corners(true, 7) == written.corners(true, 7)));
+    TA::IO::write_OBJ(again, read.mesh, read.uv, CGAL::parameters::face_patch_map(read.patch));
+    BOOST_TEST((again.str() == stream.str()));
+    BOOST_TEST(is_valid_without_isolated_vertices(read.mesh));
 
-      // All are in one chart
-      Textured<Mesh_, Point> whole;
-      std::stringstream one_chart;
-      BOOST_TEST(bool(TA::IO::write_OBJ(one_chart, written.mesh, written.uv)));
-      BOOST_TEST(bool(TA::IO::read_OBJ(one_chart, whole.mesh, whole.uv)));
-      BOOST_TEST((whole.corners(false, 7) == written.corners(false, 7)));
-    }
+    // All are in one chart
+    Textured<Mesh_, Point> whole;
+    std::stringstream one_chart;
+    BOOST_TEST(bool(TA::IO::write_OBJ(one_chart, written.mesh, written.uv)));
+    BOOST_TEST(bool(TA::IO::read_OBJ(one_chart, whole.mesh, whole.uv)));
+    BOOST_TEST((whole.corners(false, 7) == written.corners(false, 7)));
+  }
   BOOST_TEST(without > 100u);
 }
 
@@ -388,16 +386,15 @@ BOOST_AUTO_TEST_CASE(wrong_files)
        "face 3 has vertex 1, which is surrounded"},
       {all + "v 3 3 3\nv 4 4 4\nf 1 6 7\nf 1 2 3\nf 1 3 4\nf 1 4 2\n", Diagnosis::NON_MANIFOLD_VERTEX, 13,
        "face 2 has vertex 1"}};
-  for(const Case& wrong : cases)
-    BOOST_TEST_CONTEXT(wrong.text)
-    {
-      const Text_mesh read(wrong.text);
-      BOOST_TEST(!read.report);
-      BOOST_TEST(read.report.status == wrong.status);
-      BOOST_TEST(read.report.line == wrong.line);
-      BOOST_TEST(read.report.message.find(wrong.message) != std::string::npos, read.report.message);
-      BOOST_TEST(vertices(read.mesh).size() == 0u);
-    }
+  for(const Case& wrong : cases) {
+    BOOST_TEST_INFO_SCOPE(wrong.text);
+    const Text_mesh read(wrong.text);
+    BOOST_TEST(!read.report);
+    BOOST_TEST(read.report.status == wrong.status);
+    BOOST_TEST(read.report.line == wrong.line);
+    BOOST_TEST(read.report.message.find(wrong.message) != std::string::npos, read.report.message);
+    BOOST_TEST(vertices(read.mesh).size() == 0u);
+  }
   // two fans on borders
   BOOST_TEST(bool(Text_mesh(all + "f 1 2 3\nf 1 4 5\n").report));
 }
@@ -525,29 +522,28 @@ BOOST_AUTO_TEST_CASE(seam_meshes_are_written_cut_open)
 BOOST_AUTO_TEST_CASE(changed_files)
 {
   std::size_t read = 0, refused = 0;
-  for(unsigned seed = 0; seed < 3000; ++seed)
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      Random random(seed);
-      std::string text =
-          points + "vn 0 0 1\n" + coordinates + "f 1/1 2/2/1 3/3 4/4\nf 3/1 5/2 4/3\nf -1 -3 2\n";
-      for(std::size_t i = 1 + below(random, 2); i > 0; --i) {
-        const std::string characters = "0123456789-/. \\\n\r#vftne";
-        const std::size_t place = below(random, text.size());
-        const char c = characters[below(random, characters.size())];
-        if(below(random, 3) == 0)
-          text.erase(place, 1 + below(random, 3));
-        else if(below(random, 2) == 0)
-          text.insert(place, 1, c);
-        else
-          text[place] = c;
-      }
-      Text_mesh changed(text);
-      (changed.report ? read : refused) += 1;
-      BOOST_TEST(is_valid_without_isolated_vertices(changed.mesh));
-      BOOST_TEST(changed.report.message.empty() == bool(changed.report));
-      BOOST_TEST((!changed.report || num_faces(changed.mesh) > 0));
+  for(unsigned seed = 0; seed < 3000; ++seed) {
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    Random random(seed);
+    std::string text =
+        points + "vn 0 0 1\n" + coordinates + "f 1/1 2/2/1 3/3 4/4\nf 3/1 5/2 4/3\nf -1 -3 2\n";
+    for(std::size_t i = 1 + below(random, 2); i > 0; --i) {
+      const std::string characters = "0123456789-/. \\\n\r#vftne";
+      const std::size_t place = below(random, text.size());
+      const char c = characters[below(random, characters.size())];
+      if(below(random, 3) == 0)
+        text.erase(place, 1 + below(random, 3));
+      else if(below(random, 2) == 0)
+        text.insert(place, 1, c);
+      else
+        text[place] = c;
     }
+    Text_mesh changed(text);
+    (changed.report ? read : refused) += 1;
+    BOOST_TEST(is_valid_without_isolated_vertices(changed.mesh));
+    BOOST_TEST(changed.report.message.empty() == bool(changed.report));
+    BOOST_TEST((!changed.report || num_faces(changed.mesh) > 0));
+  }
   BOOST_TEST(read > 500u);
   BOOST_TEST(refused > 500u);
 }
@@ -557,58 +553,57 @@ BOOST_AUTO_TEST_CASE(any_faces)
 {
   std::array<std::size_t, 4> outcomes = {}; // read, and the three ways to be refused
   std::size_t pinched = 0;
-  for(unsigned seed = 0; seed < 20000; ++seed)
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      Random random(seed);
-      const std::size_t size = 5 + below(random, 3), number = 1 + below(random, 9);
-      std::string text;
-      std::vector<Polygon> polygons;
-      Mesh mesh;
-      for(std::size_t v = 0; v < size; ++v) {
-        text += "v " + std::to_string(v) + " 0 0\n";
-        mesh.add_vertex(Point_3(0, 0, 0));
-      }
-      bool is_mesh = true;
-      for(std::size_t f = 0; f < number; ++f) {
-        // often along an edge of a face before
-        Polygon polygon;
-        if(!polygons.empty() && below(random, 8) != 0) {
-          const Polygon& other = polygons[below(random, polygons.size())];
-          const std::size_t i = below(random, other.size());
-          polygon = {other[(i + 1) % other.size()], other[i]};
-        }
-        for(const std::size_t wanted = 3 + below(random, 5) / 4; polygon.size() < wanted;) {
-          const std::size_t v = below(random, size);
-          if(below(random, 60) == 0 || std::find(polygon.begin(), polygon.end(), v) == polygon.end())
-            polygon.push_back(v);
-        }
-        polygons.push_back(polygon);
-        text += "f";
-        std::vector<Mesh::Vertex_index> corners;
-        for(const std::size_t v : polygon) {
-          text += " " + std::to_string(v + 1);
-          corners.emplace_back(static_cast<Mesh::size_type>(v));
-        }
-        text += "\n";
-        is_mesh = is_mesh && CGAL::Euler::add_face(corners, mesh) != Mesh::null_face();
-      }
-      const Text_mesh read(text);
-      BOOST_TEST(bool(read.report) == is_mesh);
-      if(read.report) {
-        BOOST_TEST(num_faces(read.mesh) == number);
-        pinched += !CGAL::Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(polygons);
-      } else
-        BOOST_TEST(!CGAL::Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(polygons));
-      const auto status = read.report.status;
-      outcomes[status == SMP::Diagnosis::NOTHING_WRONG       ? 0
-               : status == SMP::Diagnosis::REPEATED_VERTEX   ? 1
-               : status == SMP::Diagnosis::NON_MANIFOLD_EDGE ? 2
-                                                             : 3] += 1;
-      BOOST_TEST((read.report || status == SMP::Diagnosis::REPEATED_VERTEX ||
-                  status == SMP::Diagnosis::NON_MANIFOLD_EDGE ||
-                  status == SMP::Diagnosis::NON_MANIFOLD_VERTEX));
+  for(unsigned seed = 0; seed < 20000; ++seed) {
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    Random random(seed);
+    const std::size_t size = 5 + below(random, 3), number = 1 + below(random, 9);
+    std::string text;
+    std::vector<Polygon> polygons;
+    Mesh mesh;
+    for(std::size_t v = 0; v < size; ++v) {
+      text += "v " + std::to_string(v) + " 0 0\n";
+      mesh.add_vertex(Point_3(0, 0, 0));
     }
+    bool is_mesh = true;
+    for(std::size_t f = 0; f < number; ++f) {
+      // often along an edge of a face before
+      Polygon polygon;
+      if(!polygons.empty() && below(random, 8) != 0) {
+        const Polygon& other = polygons[below(random, polygons.size())];
+        const std::size_t i = below(random, other.size());
+        polygon = {other[(i + 1) % other.size()], other[i]};
+      }
+      for(const std::size_t wanted = 3 + below(random, 5) / 4; polygon.size() < wanted;) {
+        const std::size_t v = below(random, size);
+        if(below(random, 60) == 0 || std::find(polygon.begin(), polygon.end(), v) == polygon.end())
+          polygon.push_back(v);
+      }
+      polygons.push_back(polygon);
+      text += "f";
+      std::vector<Mesh::Vertex_index> corners;
+      for(const std::size_t v : polygon) {
+        text += " " + std::to_string(v + 1);
+        corners.emplace_back(static_cast<Mesh::size_type>(v));
+      }
+      text += "\n";
+      is_mesh = is_mesh && CGAL::Euler::add_face(corners, mesh) != Mesh::null_face();
+    }
+    const Text_mesh read(text);
+    BOOST_TEST(bool(read.report) == is_mesh);
+    if(read.report) {
+      BOOST_TEST(num_faces(read.mesh) == number);
+      pinched += !CGAL::Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(polygons);
+    } else
+      BOOST_TEST(!CGAL::Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(polygons));
+    const auto status = read.report.status;
+    outcomes[status == SMP::Diagnosis::NOTHING_WRONG       ? 0
+             : status == SMP::Diagnosis::REPEATED_VERTEX   ? 1
+             : status == SMP::Diagnosis::NON_MANIFOLD_EDGE ? 2
+                                                           : 3] += 1;
+    BOOST_TEST((read.report || status == SMP::Diagnosis::REPEATED_VERTEX ||
+                status == SMP::Diagnosis::NON_MANIFOLD_EDGE ||
+                status == SMP::Diagnosis::NON_MANIFOLD_VERTEX));
+  }
   for(const std::size_t count : outcomes)
     BOOST_TEST(count > 100u);
   BOOST_TEST(pinched > 100u);

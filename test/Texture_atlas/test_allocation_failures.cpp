@@ -170,20 +170,19 @@ std::pair<std::size_t, long> fail(const std::vector<long>& numbers, bool lasts, 
 {
   std::size_t lacks = 0;
   long lost = 0;
-  for(long number : numbers)
-    BOOST_TEST_CONTEXT("allocation " << number << (lasts ? " and all after it" : ""))
-    {
-      const long living = living_blocks;
-      const End end = end_of_call(call, scene, number, lasts);
-      lost += living_blocks - living;
-      BOOST_TEST(end != FAILED);
-      lacks += end == OUT_OF_MEMORY;
-      if(end == DONE) {
-        BOOST_TEST((scene.output() == expected));
-        scene.clear();
-      }
-      BOOST_TEST((scene.state() == scene.before));
+  for(long number : numbers) {
+    BOOST_TEST_INFO_SCOPE("allocation " << number << (lasts ? " and all after it" : ""));
+    const long living = living_blocks;
+    const End end = end_of_call(call, scene, number, lasts);
+    lost += living_blocks - living;
+    BOOST_TEST(end != FAILED);
+    lacks += end == OUT_OF_MEMORY;
+    if(end == DONE) {
+      BOOST_TEST((scene.output() == expected));
+      scene.clear();
     }
+    BOOST_TEST((scene.state() == scene.before));
+  }
   return {lacks, lost};
 }
 

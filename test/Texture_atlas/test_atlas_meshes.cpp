@@ -88,25 +88,23 @@ BOOST_AUTO_TEST_CASE(coordinates_may_be_floats)
   for(unsigned seed = 0; seed < 40; ++seed) {
     const Union all = random_union(seed);
     const Mesh mesh = all.mesh<Mesh>();
-    BOOST_TEST_CONTEXT("seed " << seed << ": " << all.names())
-    {
-      Wishes wishes;
-      wishes.resolution = 256;
-      const Atlas_run run =
-          make_atlas_of<Float_kernel::Point_2>(mesh, few_charts(&Atlas_options::resolution, 256));
-      if(!run.report.has_atlas()) {
-        BOOST_TEST((run.report.status == Diagnosis::NOTHING_FLATTENED));
-        BOOST_TEST(run.is_untouched());
-        continue;
-      }
-      check_parts(run);
-      check_charts(run);
-      check_seams(run);
-      const std::vector<int> vertex = chart_vertices(run);
-      check_vertices(run, vertex);
-      check_overlaps(run, vertex, true);
-      check_texels(run, wishes.resolution, wishes.gutter_texels());
+    BOOST_TEST_INFO_SCOPE("seed " << seed << ": " << all.names());
+    Wishes wishes;
+    wishes.resolution = 256;
+    const Atlas_run run =
+        make_atlas_of<Float_kernel::Point_2>(mesh, few_charts(&Atlas_options::resolution, 256));
+    if(!run.report.has_atlas()) {
+      BOOST_TEST((run.report.status == Diagnosis::NOTHING_FLATTENED));
+      BOOST_TEST(run.is_untouched());
+      continue;
     }
+    check_parts(run);
+    check_charts(run);
+    check_seams(run);
+    const std::vector<int> vertex = chart_vertices(run);
+    check_vertices(run, vertex);
+    check_overlaps(run, vertex, true);
+    check_texels(run, wishes.resolution, wishes.gutter_texels());
   }
 }
 
@@ -165,17 +163,15 @@ BOOST_AUTO_TEST_CASE(any_mesh_gives_the_same_atlas)
   typedef CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>> Polyhedron;
   for(unsigned seed : {1, 2, 3, 4, 5, 6, 7, 8}) {
     const Union all = random_union(seed);
-    BOOST_TEST_CONTEXT("seed " << seed << ": " << all.names())
-    {
-      const Mesh mesh = all.mesh<Mesh>();
-      Polyhedron polyhedron;
-      all.make_mesh(polyhedron);
-      const Atlas_run run = make_atlas_of(mesh), other = make_atlas_of(polyhedron);
-      BOOST_TEST((run.report.status == other.report.status));
-      BOOST_TEST((run.uv == other.uv));
-      BOOST_TEST(run.chart == other.chart);
-      BOOST_TEST((run.is_seam == other.is_seam));
-    }
+    BOOST_TEST_INFO_SCOPE("seed " << seed << ": " << all.names());
+    const Mesh mesh = all.mesh<Mesh>();
+    Polyhedron polyhedron;
+    all.make_mesh(polyhedron);
+    const Atlas_run run = make_atlas_of(mesh), other = make_atlas_of(polyhedron);
+    BOOST_TEST((run.report.status == other.report.status));
+    BOOST_TEST((run.uv == other.uv));
+    BOOST_TEST(run.chart == other.chart);
+    BOOST_TEST((run.is_seam == other.is_seam));
   }
 }
 

@@ -14,12 +14,9 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <random>
-#include <string>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_atlas_seams)
@@ -83,40 +80,38 @@ double largest_jump(const Atlas_run& run, const IsMeant& is_meant)
 BOOST_AUTO_TEST_CASE(random_surfaces_have_equal_seams)
 {
   std::size_t equal = 0;
-  for(unsigned seed = 0; seed < 60; ++seed)
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      const Mesh mesh = random_union(seed, 4).mesh<Mesh>();
-      const Atlas_run run = make_atlas_of(mesh);
-      if(!run.report.has_atlas())
-        continue;
-      check_atlas(run, Wishes());
-      equal += count(run, Atlas_report::EQUAL_LENGTHS);
-      BOOST_TEST(count(run, Atlas_report::NOT_WANTED) == 0u);
-      BOOST_TEST(count(run, Atlas_report::NO_EQUATIONS) == 0u);
-    }
+  for(unsigned seed = 0; seed < 60; ++seed) {
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    const Mesh mesh = random_union(seed, 4).mesh<Mesh>();
+    const Atlas_run run = make_atlas_of(mesh);
+    if(!run.report.has_atlas())
+      continue;
+    check_atlas(run, Wishes());
+    equal += count(run, Atlas_report::EQUAL_LENGTHS);
+    BOOST_TEST(count(run, Atlas_report::NOT_WANTED) == 0u);
+    BOOST_TEST(count(run, Atlas_report::NO_EQUATIONS) == 0u);
+  }
   BOOST_TEST(equal > 40u);
 }
 
 BOOST_AUTO_TEST_CASE(they_can_be_left_out)
 {
   int different = 0;
-  for(unsigned seed = 0; seed < 12; ++seed)
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      const Mesh mesh = seed < 6 ? bumpy_sphere(seed) : ellipsoid(1, 1, 1 + 0.1 * seed);
-      const Atlas_run equal = make_atlas_of(mesh),
-                      free = make_atlas_of(mesh, few_charts(&Atlas_options::equal_seam_lengths, false));
-      check_atlas(free, Wishes());
-      BOOST_TEST(count(free, Atlas_report::NOT_WANTED) == free.report.charts.size());
-      BOOST_TEST(free.report.largest_equal_seam_jump == 0);
-      BOOST_TEST_REQUIRE(equal.report.charts[0].has_equal_seams);
-      different += free.report.charts[0].largest_seam_jump > 1e-2;
-      // what they cost
-      if(equal.report.charts[0].method == free.report.charts[0].method && equal.is_seam == free.is_seam)
-        BOOST_TEST(equal.report.measures.angular_distortion <=
-                   1.2 * free.report.measures.angular_distortion + 1e-9);
-    }
+  for(unsigned seed = 0; seed < 12; ++seed) {
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    const Mesh mesh = seed < 6 ? bumpy_sphere(seed) : ellipsoid(1, 1, 1 + 0.1 * seed);
+    const Atlas_run equal = make_atlas_of(mesh),
+                    free = make_atlas_of(mesh, few_charts(&Atlas_options::equal_seam_lengths, false));
+    check_atlas(free, Wishes());
+    BOOST_TEST(count(free, Atlas_report::NOT_WANTED) == free.report.charts.size());
+    BOOST_TEST(free.report.largest_equal_seam_jump == 0);
+    BOOST_TEST_REQUIRE(equal.report.charts[0].has_equal_seams);
+    different += free.report.charts[0].largest_seam_jump > 1e-2;
+    // what they cost
+    if(equal.report.charts[0].method == free.report.charts[0].method && equal.is_seam == free.is_seam)
+      BOOST_TEST(equal.report.measures.angular_distortion <=
+                 1.2 * free.report.measures.angular_distortion + 1e-9);
+  }
   BOOST_TEST(different > 8); // of others, cut open in the middle of a symmetry, lengths are equal anyway
 }
 
@@ -139,34 +134,33 @@ BOOST_AUTO_TEST_CASE(charts_without_seams_are_the_same_bits)
 BOOST_AUTO_TEST_CASE(given_seams_are_equal)
 {
   int tested = 0;
-  for(unsigned seed = 0; seed < 20; ++seed)
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      std::mt19937 random(seed);
-      const Mesh mesh = ellipsoid(1, 1 + 0.02 * seed, 1.2);
-      // a path of edges that does not close
-      std::vector<char> is_given(mesh.num_edges(), false), is_met(mesh.num_vertices(), false);
-      auto h = *std::next(mesh.halfedges_begin(), static_cast<long>(random() % mesh.num_halfedges()));
-      for(int steps = 0; steps < 12; ++steps) {
-        is_met[mesh.source(h)] = true;
-        if(is_met[mesh.target(h)])
-          break;
-        is_given[mesh.edge(h)] = true;
-        for(unsigned turns = 2 + random() % 2; turns > 0; --turns)
-          h = mesh.opposite(mesh.next(h));
-        h = mesh.next(h);
-      }
-      const Atlas_run run = make_atlas_of(
-          mesh, few_charts(), parameters::default_values(), [&](auto e) { return bool(is_given[e]); },
-          get(CGAL::vertex_point, mesh));
-      check_atlas(run, Wishes());
-      if(!run.report.charts[0].has_equal_seams)
-        continue;
-      const double given = largest_jump(run, [&](std::size_t c) { return run.was_seam[c]; });
-      BOOST_TEST(given >= 0);
-      BOOST_TEST(given <= 1e-5);
-      ++tested;
+  for(unsigned seed = 0; seed < 20; ++seed) {
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    std::mt19937 random(seed);
+    const Mesh mesh = ellipsoid(1, 1 + 0.02 * seed, 1.2);
+    // a path of edges that does not close
+    std::vector<char> is_given(mesh.num_edges(), false), is_met(mesh.num_vertices(), false);
+    auto h = *std::next(mesh.halfedges_begin(), static_cast<long>(random() % mesh.num_halfedges()));
+    for(int steps = 0; steps < 12; ++steps) {
+      is_met[mesh.source(h)] = true;
+      if(is_met[mesh.target(h)])
+        break;
+      is_given[mesh.edge(h)] = true;
+      for(unsigned turns = 2 + random() % 2; turns > 0; --turns)
+        h = mesh.opposite(mesh.next(h));
+      h = mesh.next(h);
     }
+    const Atlas_run run = make_atlas_of(
+        mesh, few_charts(), parameters::default_values(), [&](auto e) { return bool(is_given[e]); },
+        get(CGAL::vertex_point, mesh));
+    check_atlas(run, Wishes());
+    if(!run.report.charts[0].has_equal_seams)
+      continue;
+    const double given = largest_jump(run, [&](std::size_t c) { return run.was_seam[c]; });
+    BOOST_TEST(given >= 0);
+    BOOST_TEST(given <= 1e-5);
+    ++tested;
+  }
   BOOST_TEST(tested > 10);
 }
 
@@ -198,19 +192,18 @@ BOOST_AUTO_TEST_CASE(seams_between_parts_do_not_count)
 BOOST_AUTO_TEST_CASE(pieces_keep_equal_seams)
 {
   std::size_t separated = 0, cut = 0;
-  for(unsigned seed = 0; seed < 24; ++seed)
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      const Mesh mesh = bumpy_sphere(100 + seed);
-      const Atlas_run run = make_atlas_of(
-          mesh, few_charts(&Atlas_options::separate_overlaps, true, &Atlas_options::seam_price, 0.04));
-      check_atlas(run, Wishes());
-      for(const Atlas_report::Chart& chart : run.report.charts) {
-        separated += chart.has_equal_seams && chart.method == Atlas_report::SEPARATED;
-        cut += chart.has_equal_seams && chart.method == Atlas_report::ABF_PLUS_PLUS &&
-               run.report.charts.size() > 1;
-      }
+  for(unsigned seed = 0; seed < 24; ++seed) {
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    const Mesh mesh = bumpy_sphere(100 + seed);
+    const Atlas_run run = make_atlas_of(
+        mesh, few_charts(&Atlas_options::separate_overlaps, true, &Atlas_options::seam_price, 0.04));
+    check_atlas(run, Wishes());
+    for(const Atlas_report::Chart& chart : run.report.charts) {
+      separated += chart.has_equal_seams && chart.method == Atlas_report::SEPARATED;
+      cut += chart.has_equal_seams && chart.method == Atlas_report::ABF_PLUS_PLUS &&
+             run.report.charts.size() > 1;
     }
+  }
   BOOST_TEST_MESSAGE(separated << " separated, " << cut << " cut");
   BOOST_TEST(separated > 0u);
   BOOST_TEST(cut > 0u);

@@ -184,13 +184,4 @@ BOOST_AUTO_TEST_CASE(a_bad_chart_is_not_called_good)
   BOOST_TEST(run.report.message.find("chart 0 ") != std::string::npos, run.report.message);
 }
 
-BOOST_AUTO_TEST_CASE(any_number_of_threads_divides_alike)
-{
-  const Mesh mesh = mesh_of(hyperbolic_disk(9, 1.9));
-  const Atlas_run one = make_atlas_of(mesh, few_charts(&Atlas_options::threads, 1)),
-                  two = make_atlas_of(mesh, few_charts(&Atlas_options::threads, 2));
-  BOOST_TEST((one.uv == two.uv));
-  BOOST_TEST((one.chart == two.chart));
-}
-
 BOOST_AUTO_TEST_SUITE_END()

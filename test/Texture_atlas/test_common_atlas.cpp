@@ -138,22 +138,21 @@ Mesh sphere(unsigned seed)
 BOOST_AUTO_TEST_CASE(the_same_as_of_one_mesh)
 {
   std::set<Diagnosis> statuses;
-  for(unsigned seed = 0; seed < 12; ++seed)
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      Meshes all;
-      for(unsigned i = 0; i < 3; ++i)
-        all.add(atlas_surfaces::random_union(10 * seed + i, 3).mesh<Mesh>());
-      all.add_maps(seed % 3 == 0 ? 7 : 1000000);
-      Atlas_options options(seed % 2 == 0 ? Atlas_options::TEXTURE : Atlas_options::FEW_CHARTS);
-      options.pack_into_square = seed % 4 != 3;
-      const Atlas_report one =
-          atlas_check::TA::make_atlas(all.joined, Meshes::seams_of(all.joined), Meshes::uv_of(all.joined),
-                                      Meshes::charts_of(all.joined), options);
-      options.threads = static_cast<int>(seed % 3);
-      all.check_same(one, all.make(options));
-      statuses.insert(one.status);
-    }
+  for(unsigned seed = 0; seed < 12; ++seed) {
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    Meshes all;
+    for(unsigned i = 0; i < 3; ++i)
+      all.add(atlas_surfaces::random_union(10 * seed + i, 3).mesh<Mesh>());
+    all.add_maps(seed % 3 == 0 ? 7 : 1000000);
+    Atlas_options options(seed % 2 == 0 ? Atlas_options::TEXTURE : Atlas_options::FEW_CHARTS);
+    options.pack_into_square = seed % 4 != 3;
+    const Atlas_report one =
+        atlas_check::TA::make_atlas(all.joined, Meshes::seams_of(all.joined), Meshes::uv_of(all.joined),
+                                    Meshes::charts_of(all.joined), options);
+    options.threads = static_cast<int>(seed % 3);
+    all.check_same(one, all.make(options));
+    statuses.insert(one.status);
+  }
   BOOST_TEST(statuses.count(Diagnosis::NOTHING_WRONG) + statuses.count(Diagnosis::STRETCH_BOUND_MISSED) > 0u);
   BOOST_TEST(statuses.count(Diagnosis::SOMETHING_SKIPPED) == 1u);
 }

@@ -24,7 +24,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <random>
@@ -211,15 +210,14 @@ Mesh bumpy_sphere(int levels, unsigned seed)
 
 BOOST_AUTO_TEST_CASE(of_spheres_are_met)
 {
-  for(unsigned seed = 0; seed < 10; ++seed)
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      std::mt19937 random(seed);
-      Mesh mesh = bumpy_sphere(2, seed);
-      const Seams seams = cut(mesh, 1.1);
-      const Angles angles = random_cones(mesh, seams, 0, 6 + seed, random);
-      check_map(mesh, seams, angles, flatten(mesh, seams, angles));
-    }
+  for(unsigned seed = 0; seed < 10; ++seed) {
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    std::mt19937 random(seed);
+    Mesh mesh = bumpy_sphere(2, seed);
+    const Seams seams = cut(mesh, 1.1);
+    const Angles angles = random_cones(mesh, seams, 0, 6 + seed, random);
+    check_map(mesh, seams, angles, flatten(mesh, seams, angles));
+  }
 }
 
 // A torus needs no cone. Surfaces with more handles have cones of more than a full turn.
@@ -230,14 +228,12 @@ BOOST_AUTO_TEST_CASE(of_surfaces_with_handles_are_met)
       const int handles = static_cast<int>(surface.handles);
       if(handles > 1 && cones == 0)
         continue;
-      BOOST_TEST_CONTEXT(surface.name << ", " << cones << " cones")
-      {
-        std::mt19937 random(3);
-        Mesh mesh = surface.mesh();
-        const Seams seams = cut(mesh, 1.2);
-        const Angles angles = cones == 0 ? Angles() : random_cones(mesh, seams, handles, cones, random);
-        check_map(mesh, seams, angles, flatten(mesh, seams, angles));
-      }
+      BOOST_TEST_INFO_SCOPE(surface.name << ", " << cones << " cones");
+      std::mt19937 random(3);
+      Mesh mesh = surface.mesh();
+      const Seams seams = cut(mesh, 1.2);
+      const Angles angles = cones == 0 ? Angles() : random_cones(mesh, seams, handles, cones, random);
+      check_map(mesh, seams, angles, flatten(mesh, seams, angles));
     }
 }
 
@@ -326,12 +322,10 @@ BOOST_AUTO_TEST_CASE(are_recognized_as_feasible_or_not)
       check_map(mesh, seams, angles, map);
     } else {
       ++infeasible;
-      BOOST_TEST_CONTEXT(i << " " << map.report.message)
-      {
-        BOOST_TEST((map.report.status == SMP::Diagnosis::WRONG_ANGLE_SUM ||
-                    map.report.status == SMP::Diagnosis::INFEASIBLE_ANGLE_SUMS));
-        BOOST_TEST(!map.offending.empty());
-      }
+      BOOST_TEST_INFO_SCOPE(i << " " << map.report.message);
+      BOOST_TEST((map.report.status == SMP::Diagnosis::WRONG_ANGLE_SUM ||
+                  map.report.status == SMP::Diagnosis::INFEASIBLE_ANGLE_SUMS));
+      BOOST_TEST(!map.offending.empty());
     }
   }
   BOOST_TEST_MESSAGE(feasible << " feasible, " << infeasible << " not");

@@ -347,32 +347,30 @@ BOOST_AUTO_TEST_CASE(seams_reach_all_terminals)
     Mesh mesh = surface.mesh();
     const Seam_map seams = add_seams(mesh);
     const std::set<Vertex> terminals = random_vertices(mesh, seed % 7, seed);
-    BOOST_TEST_CONTEXT("seed " << seed << ", " << surface.name << ", " << terminals.size() << " terminals")
-    {
-      check_disk(mesh, seams, TA::cut_to_disks(mesh, seams, through(terminals)));
-      for(Vertex v : terminals)
-        BOOST_TEST((mesh.is_border(v) || seams_at(mesh, seams, v) > 0));
-      if(surface.handles == 0 && surface.borders == 0 && terminals.size() >= 2)
-        for(Vertex v : mesh.vertices()) // a tree, whose leaves are terminals
-          BOOST_TEST((seams_at(mesh, seams, v) != 1 || terminals.count(v) == 1));
-    }
+    BOOST_TEST_INFO_SCOPE("seed " << seed << ", " << surface.name << ", " << terminals.size()
+                                  << " terminals");
+    check_disk(mesh, seams, TA::cut_to_disks(mesh, seams, through(terminals)));
+    for(Vertex v : terminals)
+      BOOST_TEST((mesh.is_border(v) || seams_at(mesh, seams, v) > 0));
+    if(surface.handles == 0 && surface.borders == 0 && terminals.size() >= 2)
+      for(Vertex v : mesh.vertices()) // a tree, whose leaves are terminals
+        BOOST_TEST((seams_at(mesh, seams, v) != 1 || terminals.count(v) == 1));
   }
 }
 
 // All vertices are alike at first.
 BOOST_AUTO_TEST_CASE(of_regular_polyhedra)
 {
-  for(const Surface& surface : {tetrahedron(), octahedron(), icosahedron()})
-    BOOST_TEST_CONTEXT(surface.name)
-    {
-      const Mesh mesh = surface.mesh();
-      const auto cones = TA::select_cones(mesh, 4);
-      BOOST_TEST(cones.status == Diagnosis::NOTHING_WRONG, cones.message);
-      double total = 0;
-      for(const auto& cone : cones.cones)
-        total += 2 * CGAL_PI - cone.second;
-      BOOST_TEST(std::abs(total - 4 * CGAL_PI) < 1e-12);
-    }
+  for(const Surface& surface : {tetrahedron(), octahedron(), icosahedron()}) {
+    BOOST_TEST_INFO_SCOPE(surface.name);
+    const Mesh mesh = surface.mesh();
+    const auto cones = TA::select_cones(mesh, 4);
+    BOOST_TEST(cones.status == Diagnosis::NOTHING_WRONG, cones.message);
+    double total = 0;
+    for(const auto& cone : cones.cones)
+      total += 2 * CGAL_PI - cone.second;
+    BOOST_TEST(std::abs(total - 4 * CGAL_PI) < 1e-12);
+  }
 }
 
 // On a sphere, the shortest path between two vertices joins them, or the second shortest if the former is an edge.
@@ -458,76 +456,73 @@ BOOST_AUTO_TEST_CASE(terminals_that_cannot_be_reached)
 // The same as with a factorization for each cone
 BOOST_AUTO_TEST_CASE(cones_are_those_of_the_slow_rule)
 {
-  for(const Surface& surface : surfaces_for_cones())
-    BOOST_TEST_CONTEXT(surface.name)
-    {
-      const Mesh mesh = surface.mesh();
-      const Slow_scale slow(mesh);
-      std::vector<Vertex> cones;
-      Eigen::VectorXd u;
-      for(int i = 0; i < 24; ++i) {
-        if(i > 0 || surface.borders > 0)
-          u = slow.solve(-slow.curvature(), cones);
-        else {
-          u = slow.solve(slow.curvature().sum() / slow.area().sum() * slow.area() - slow.curvature(),
-                         {Vertex(3)});
-          u.array() -= slow.area().dot(u) / slow.area().sum();
-        }
-        int largest = 0;
-        u.cwiseAbs().maxCoeff(&largest);
-        cones.emplace_back(static_cast<Mesh::size_type>(largest));
+  for(const Surface& surface : surfaces_for_cones()) {
+    BOOST_TEST_INFO_SCOPE(surface.name);
+    const Mesh mesh = surface.mesh();
+    const Slow_scale slow(mesh);
+    std::vector<Vertex> cones;
+    Eigen::VectorXd u;
+    for(int i = 0; i < 24; ++i) {
+      if(i > 0 || surface.borders > 0)
+        u = slow.solve(-slow.curvature(), cones);
+      else {
+        u = slow.solve(slow.curvature().sum() / slow.area().sum() * slow.area() - slow.curvature(),
+                       {Vertex(3)});
+        u.array() -= slow.area().dot(u) / slow.area().sum();
       }
-      u = slow.solve(-slow.curvature(), cones);
-      const Eigen::VectorXd charges = slow.left(u);
-      const Selection selection = TA::select_cones(mesh, 24);
-      BOOST_TEST_REQUIRE(selection.message == "");
-      check_angles(mesh, surface, selection);
-      BOOST_TEST((in_order(selection) == cones));
-      for(const auto& [v, angle] : selection.cones)
-        BOOST_TEST(std::abs(2 * CGAL_PI - angle - charges[v]) < 1e-9);
-      const Eigen::VectorXd shrunk = (-2 * u).array().exp(), grown = (2 * u).array().exp();
-      BOOST_TEST(selection.predicted_stretch ==
-                     std::sqrt(slow.area().dot(shrunk) * slow.area().dot(grown)) / slow.area().sum(),
-                 boost::test_tools::tolerance(1e-9));
+      int largest = 0;
+      u.cwiseAbs().maxCoeff(&largest);
+      cones.emplace_back(static_cast<Mesh::size_type>(largest));
     }
+    u = slow.solve(-slow.curvature(), cones);
+    const Eigen::VectorXd charges = slow.left(u);
+    const Selection selection = TA::select_cones(mesh, 24);
+    BOOST_TEST_REQUIRE(selection.message == "");
+    check_angles(mesh, surface, selection);
+    BOOST_TEST((in_order(selection) == cones));
+    for(const auto& [v, angle] : selection.cones)
+      BOOST_TEST(std::abs(2 * CGAL_PI - angle - charges[v]) < 1e-9);
+    const Eigen::VectorXd shrunk = (-2 * u).array().exp(), grown = (2 * u).array().exp();
+    BOOST_TEST(selection.predicted_stretch ==
+                   std::sqrt(slow.area().dot(shrunk) * slow.area().dot(grown)) / slow.area().sum(),
+               boost::test_tools::tolerance(1e-9));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(least_squares_vary_least)
 {
   int found = 0;
-  for(const Surface& surface : surfaces_for_cones())
-    BOOST_TEST_CONTEXT(surface.name)
-    {
-      const Mesh mesh = surface.mesh();
-      const Selection predicted = TA::select_cones(mesh, 12),
-                      least = TA::select_cones(
-                          mesh, 12,
-                          with<Cone_options>(&Cone_options::angles, TA::Cone_angles::LEAST_SQUARES));
-      BOOST_TEST_REQUIRE(predicted.message == "");
-      if(least.status == Diagnosis::INFEASIBLE_ANGLE_SUMS)
-        continue;
-      BOOST_TEST_REQUIRE(least.message == "");
-      ++found;
-      check_angles(mesh, surface, least);
-      BOOST_TEST((in_order(least) == in_order(predicted)));
-      const Slow_scale slow(mesh);
-      const auto charges = [](const Selection& selection) {
-        std::vector<double> result;
-        for(const auto& cone : selection.cones)
-          result.push_back(2 * CGAL_PI - cone.second);
-        return result;
-      };
-      const double best = slow.variance(in_order(least), charges(least));
-      BOOST_TEST(best < slow.variance(in_order(least), charges(predicted)));
-      for(std::size_t i = 0; i < least.cones.size(); ++i)
-        for(double step : {-0.1, 0.1}) {
-          std::vector<double> others = charges(least);
-          others[i] += step;
-          if(surface.borders == 0)
-            others[(i + 1) % others.size()] -= step;
-          BOOST_TEST(best < slow.variance(in_order(least), others));
-        }
-    }
+  for(const Surface& surface : surfaces_for_cones()) {
+    BOOST_TEST_INFO_SCOPE(surface.name);
+    const Mesh mesh = surface.mesh();
+    const Selection predicted = TA::select_cones(mesh, 12),
+                    least = TA::select_cones(
+                        mesh, 12, with<Cone_options>(&Cone_options::angles, TA::Cone_angles::LEAST_SQUARES));
+    BOOST_TEST_REQUIRE(predicted.message == "");
+    if(least.status == Diagnosis::INFEASIBLE_ANGLE_SUMS)
+      continue;
+    BOOST_TEST_REQUIRE(least.message == "");
+    ++found;
+    check_angles(mesh, surface, least);
+    BOOST_TEST((in_order(least) == in_order(predicted)));
+    const Slow_scale slow(mesh);
+    const auto charges = [](const Selection& selection) {
+      std::vector<double> result;
+      for(const auto& cone : selection.cones)
+        result.push_back(2 * CGAL_PI - cone.second);
+      return result;
+    };
+    const double best = slow.variance(in_order(least), charges(least));
+    BOOST_TEST(best < slow.variance(in_order(least), charges(predicted)));
+    for(std::size_t i = 0; i < least.cones.size(); ++i)
+      for(double step : {-0.1, 0.1}) {
+        std::vector<double> others = charges(least);
+        others[i] += step;
+        if(surface.borders == 0)
+          others[(i + 1) % others.size()] -= step;
+        BOOST_TEST(best < slow.variance(in_order(least), others));
+      }
+  }
   BOOST_TEST(found > 15);
 }
 
@@ -536,27 +531,26 @@ BOOST_AUTO_TEST_CASE(angles_are_multiples_of_a_quantum)
   int found = 0;
   for(int turn : {3, 4, 6, 12})
     for(unsigned seed = 0; seed < 8; ++seed)
-      for(const Surface& surface : {bent(sphere(3), seed), bent(cap(3), seed)})
-        BOOST_TEST_CONTEXT(surface.name << ", 2 pi / " << turn)
-        {
-          const Mesh mesh = surface.mesh();
-          const double quantum = 2 * CGAL_PI / turn;
-          const Selection any = TA::select_cones(mesh, 8),
-                          selection = TA::select_cones(
-                              mesh, 8, with<Cone_options>(&Cone_options::angle_multiple, quantum));
-          if(selection.status == Diagnosis::INFEASIBLE_ANGLE_SUMS)
-            continue;
-          BOOST_TEST_REQUIRE(selection.message == "");
-          ++found;
-          check_angles(mesh, surface, selection);
-          const auto angles = any.angles();
-          for(const auto& [v, angle] : selection.cones) {
-            BOOST_TEST(std::abs(std::remainder(angle, quantum)) < 1e-12);
-            BOOST_TEST(std::abs(angle - 2 * CGAL_PI) > 1e-6);
-            BOOST_TEST_REQUIRE(angles[v].has_value());
-            BOOST_TEST(std::abs(*angles[v] - angle) < (surface.borders == 1 ? 0.5 : 1.) * quantum + 1e-9);
-          }
+      for(const Surface& surface : {bent(sphere(3), seed), bent(cap(3), seed)}) {
+        BOOST_TEST_INFO_SCOPE(surface.name << ", 2 pi / " << turn);
+        const Mesh mesh = surface.mesh();
+        const double quantum = 2 * CGAL_PI / turn;
+        const Selection any = TA::select_cones(mesh, 8),
+                        selection = TA::select_cones(
+                            mesh, 8, with<Cone_options>(&Cone_options::angle_multiple, quantum));
+        if(selection.status == Diagnosis::INFEASIBLE_ANGLE_SUMS)
+          continue;
+        BOOST_TEST_REQUIRE(selection.message == "");
+        ++found;
+        check_angles(mesh, surface, selection);
+        const auto angles = any.angles();
+        for(const auto& [v, angle] : selection.cones) {
+          BOOST_TEST(std::abs(std::remainder(angle, quantum)) < 1e-12);
+          BOOST_TEST(std::abs(angle - 2 * CGAL_PI) > 1e-6);
+          BOOST_TEST_REQUIRE(angles[v].has_value());
+          BOOST_TEST(std::abs(*angles[v] - angle) < (surface.borders == 1 ? 0.5 : 1.) * quantum + 1e-9);
         }
+      }
   BOOST_TEST(found > 40);
 }
 
@@ -636,46 +630,43 @@ BOOST_AUTO_TEST_CASE(flat_disks_get_no_cones)
 BOOST_AUTO_TEST_CASE(maps_go_on_across_seams)
 {
   for(const Surface& surface : surfaces_for_cones())
-    for(bool is_free : {false, true})
-      BOOST_TEST_CONTEXT(surface.name << (is_free ? ", free" : ""))
-      {
-        Mesh mesh = surface.mesh();
-        check_map(mesh, surface, 16, is_free);
-      }
+    for(bool is_free : {false, true}) {
+      BOOST_TEST_INFO_SCOPE(surface.name << (is_free ? ", free" : ""));
+      Mesh mesh = surface.mesh();
+      check_map(mesh, surface, 16, is_free);
+    }
 }
 
 // A torus and a tube need no cones.
 BOOST_AUTO_TEST_CASE(maps_without_cones)
 {
-  for(const Surface& surface : {torus(24, 16), bent(torus(24, 16), 1), cap(2), tube(12, 9)})
-    BOOST_TEST_CONTEXT(surface.name)
-    {
-      Mesh mesh = surface.mesh();
-      check_map(mesh, surface, 0, false);
-    }
+  for(const Surface& surface : {torus(24, 16), bent(torus(24, 16), 1), cap(2), tube(12, 9)}) {
+    BOOST_TEST_INFO_SCOPE(surface.name);
+    Mesh mesh = surface.mesh();
+    check_map(mesh, surface, 0, false);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(quarter_turns)
 {
   int found = 0;
   for(unsigned seed = 0; seed < 8; ++seed)
-    for(const Surface& surface : {bent(sphere(3), seed), bent(cap(3), seed)})
-      BOOST_TEST_CONTEXT(surface.name)
-      {
-        Mesh mesh = surface.mesh();
-        const Mapped_surface map{mesh, add_seams(mesh), add_coordinates(mesh)};
-        const Cone_flattening result = TA::flatten_with_cones(
-            mesh, 12, map.seams, map.uv, with<Cone_options>(&Cone_options::angle_multiple, CGAL_PI / 2));
-        if(result.cones.status == Diagnosis::INFEASIBLE_ANGLE_SUMS)
-          continue;
-        ++found;
-        BOOST_TEST_REQUIRE(result.message == "");
-        map.check_orientations();
-        map.check_seams(result, true);
-        for(Edge e : mesh.edges())
-          if(map.seams[e])
-            BOOST_TEST(std::abs(std::remainder(std::arg(map.across(mesh.halfedge(e))), CGAL_PI / 2)) < 1e-5);
-      }
+    for(const Surface& surface : {bent(sphere(3), seed), bent(cap(3), seed)}) {
+      BOOST_TEST_INFO_SCOPE(surface.name);
+      Mesh mesh = surface.mesh();
+      const Mapped_surface map{mesh, add_seams(mesh), add_coordinates(mesh)};
+      const Cone_flattening result = TA::flatten_with_cones(
+          mesh, 12, map.seams, map.uv, with<Cone_options>(&Cone_options::angle_multiple, CGAL_PI / 2));
+      if(result.cones.status == Diagnosis::INFEASIBLE_ANGLE_SUMS)
+        continue;
+      ++found;
+      BOOST_TEST_REQUIRE(result.message == "");
+      map.check_orientations();
+      map.check_seams(result, true);
+      for(Edge e : mesh.edges())
+        if(map.seams[e])
+          BOOST_TEST(std::abs(std::remainder(std::arg(map.across(mesh.halfedge(e))), CGAL_PI / 2)) < 1e-5);
+    }
   BOOST_TEST(found > 12);
 }
 
@@ -848,16 +839,14 @@ BOOST_AUTO_TEST_CASE(models_with_cones)
       const auto cut = TA::make_seam_mesh(mesh, seams).mesh;
       return SMP::measure_flattening(cut, TA::border_halfedge(cut), uv);
     };
-    BOOST_TEST_CONTEXT(model.name)
-    {
-      const SMP::Flattening_measures cut = measures(true, false), free = measures(true, true),
-                                     rigid = measures(false, true);
-      BOOST_TEST(free.angular_distortion <= 1.02 * cut.angular_distortion);
-      BOOST_TEST(rigid.mean_quasi_conformal_ratio <= model.largest_ratio);
-      BOOST_TEST(rigid.flipped_triangles == 0);
-      check_map(mesh, ball, model.cones, true);
-      check_map(mesh, ball, model.cones, false);
-    }
+    BOOST_TEST_INFO_SCOPE(model.name);
+    const SMP::Flattening_measures cut = measures(true, false), free = measures(true, true),
+                                   rigid = measures(false, true);
+    BOOST_TEST(free.angular_distortion <= 1.02 * cut.angular_distortion);
+    BOOST_TEST(rigid.mean_quasi_conformal_ratio <= model.largest_ratio);
+    BOOST_TEST(rigid.flipped_triangles == 0);
+    check_map(mesh, ball, model.cones, true);
+    check_map(mesh, ball, model.cones, false);
   }
 }
 

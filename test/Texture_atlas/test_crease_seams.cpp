@@ -175,100 +175,94 @@ BOOST_AUTO_TEST_CASE(a_cube_becomes_a_cross)
 
 BOOST_AUTO_TEST_CASE(boxes_unfold_without_stretch)
 {
-  for(unsigned seed = 0; seed < 20; ++seed)
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      std::mt19937 random(seed);
-      std::uniform_real_distribution<> size(0.2, 5);
-      const double x = size(random), y = size(random), z = size(random);
-      const int parts = 1 + static_cast<int>(seed % 4);
-      Mesh mesh = prism(rectangle(x, y, parts), z, 1 + seed % 3).mesh();
-      const Crease_atlas atlas = make_crease_atlas(mesh);
-      BOOST_TEST(atlas.creases.is_hard_surface());
-      BOOST_TEST(atlas.creases.is_developable);
-      BOOST_TEST(atlas.creases.number_of_parts <= 6u);
-      BOOST_TEST(angle_change(atlas) < 0.01);
-      BOOST_TEST(atlas.run.report.measures.l2_stretch < 1.001);
-      const auto [shortest, longest] = std::minmax({2 * x, 2 * y, z});
-      BOOST_TEST((has_axes(atlas.run) || longest > 2 * shortest)); // long strips may lie diagonally
-    }
+  for(unsigned seed = 0; seed < 20; ++seed) {
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<> size(0.2, 5);
+    const double x = size(random), y = size(random), z = size(random);
+    const int parts = 1 + static_cast<int>(seed % 4);
+    Mesh mesh = prism(rectangle(x, y, parts), z, 1 + seed % 3).mesh();
+    const Crease_atlas atlas = make_crease_atlas(mesh);
+    BOOST_TEST(atlas.creases.is_hard_surface());
+    BOOST_TEST(atlas.creases.is_developable);
+    BOOST_TEST(atlas.creases.number_of_parts <= 6u);
+    BOOST_TEST(angle_change(atlas) < 0.01);
+    BOOST_TEST(atlas.run.report.measures.l2_stretch < 1.001);
+    const auto [shortest, longest] = std::minmax({2 * x, 2 * y, z});
+    BOOST_TEST((has_axes(atlas.run) || longest > 2 * shortest)); // long strips may lie diagonally
+  }
 }
 
 BOOST_AUTO_TEST_CASE(cylinders_are_cut_around_their_rims)
 {
-  for(int n : {12, 32, 100})
-    BOOST_TEST_CONTEXT(n << " sides")
-    {
-      Mesh mesh = prism(circle(n), 3, 4).mesh();
-      const Crease_atlas atlas = make_crease_atlas(mesh);
-      BOOST_TEST(atlas.creases.is_hard_surface());
-      BOOST_TEST(atlas.creases.is_developable);
-      BOOST_TEST(atlas.run.report.charts.size() == 3u);
-      BOOST_TEST(angle_change(atlas) < 1);
-      double rims = 0;
-      for(const Edge e : mesh.edges())
-        rims += bend(mesh, e) > 80 * degree ? length(mesh, e) : 0;
-      // the mantle is cut once, straight
-      BOOST_TEST(atlas.run.report.seam_length == rims + 3, boost::test_tools::tolerance(1e-9));
-    }
+  for(int n : {12, 32, 100}) {
+    BOOST_TEST_INFO_SCOPE(n << " sides");
+    Mesh mesh = prism(circle(n), 3, 4).mesh();
+    const Crease_atlas atlas = make_crease_atlas(mesh);
+    BOOST_TEST(atlas.creases.is_hard_surface());
+    BOOST_TEST(atlas.creases.is_developable);
+    BOOST_TEST(atlas.run.report.charts.size() == 3u);
+    BOOST_TEST(angle_change(atlas) < 1);
+    double rims = 0;
+    for(const Edge e : mesh.edges())
+      rims += bend(mesh, e) > 80 * degree ? length(mesh, e) : 0;
+    // the mantle is cut once, straight
+    BOOST_TEST(atlas.run.report.seam_length == rims + 3, boost::test_tools::tolerance(1e-9));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(gears_do_not_stretch)
 {
-  for(int teeth : {6, 12, 30})
-    BOOST_TEST_CONTEXT(teeth << " teeth")
-    {
-      Mesh mesh = prism(gear(teeth), 0.5, 2).mesh();
-      const Crease_atlas atlas = make_crease_atlas(mesh);
-      BOOST_TEST(atlas.creases.number_of_patches == 4u * static_cast<std::size_t>(teeth) + 2);
-      BOOST_TEST(atlas.run.report.measures.l2_stretch < 1.05);
-      BOOST_TEST(angle_change(atlas) < 0.01);
-      BOOST_TEST(atlas.run.report.charts.size() <= 12u);
-    }
+  for(int teeth : {6, 12, 30}) {
+    BOOST_TEST_INFO_SCOPE(teeth << " teeth");
+    Mesh mesh = prism(gear(teeth), 0.5, 2).mesh();
+    const Crease_atlas atlas = make_crease_atlas(mesh);
+    BOOST_TEST(atlas.creases.number_of_patches == 4u * static_cast<std::size_t>(teeth) + 2);
+    BOOST_TEST(atlas.run.report.measures.l2_stretch < 1.05);
+    BOOST_TEST(angle_change(atlas) < 0.01);
+    BOOST_TEST(atlas.run.report.charts.size() <= 12u);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(flat_faces_keep_their_holes)
 {
-  for(int holes : {1, 2, 3})
-    BOOST_TEST_CONTEXT(holes << " holes")
-    {
-      Mesh mesh = seam_surfaces::slab(holes).mesh();
-      const Crease_atlas atlas = make_crease_atlas(mesh);
-      BOOST_TEST(angle_change(atlas) < 0.01);
-      BOOST_TEST(atlas.run.report.seam_length == atlas.creases.seam_length,
-                 boost::test_tools::tolerance(1e-9));
-    }
+  for(int holes : {1, 2, 3}) {
+    BOOST_TEST_INFO_SCOPE(holes << " holes");
+    Mesh mesh = seam_surfaces::slab(holes).mesh();
+    const Crease_atlas atlas = make_crease_atlas(mesh);
+    BOOST_TEST(angle_change(atlas) < 0.01);
+    BOOST_TEST(atlas.run.report.seam_length == atlas.creases.seam_length, boost::test_tools::tolerance(1e-9));
+  }
 }
 
 // Whatever the surface, new seams lie on creases, and allowed ones; old ones stay.
 BOOST_AUTO_TEST_CASE(seams_lie_on_creases)
 {
-  for(unsigned seed = 0; seed < 60; ++seed)
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      std::mt19937 random(seed);
-      Mesh mesh = seam_surfaces::random_surface(seed).mesh();
-      TA::Crease_options options;
-      options.angle = std::uniform_real_distribution<>(0.1, 1.5)(random);
-      const Marks given = mesh.add_property_map<Edge, bool>("e:given", false).first,
-                  seams = mesh.add_property_map<Edge, bool>("e:seam", false).first,
-                  forbidden = mesh.add_property_map<Edge, bool>("e:forbidden", false).first;
-      for(const Edge e : mesh.edges()) {
-        given[e] = seams[e] = !mesh.is_border(e) && random() % 20 == 0;
-        forbidden[e] = random() % 5 == 0;
-      }
-      const auto report =
-          TA::select_crease_seams(mesh, seams, options, parameters::edge_is_constrained_map(forbidden));
-      BOOST_TEST_REQUIRE(bool(report), report.message);
-      for(const Edge e : mesh.edges())
-        BOOST_TEST((given[e] ? seams[e]
-                             : !seams[e] || (!forbidden[e] && bend(mesh, e) > options.angle * (1 - 1e-9))));
-      BOOST_TEST(report.number_of_parts <= report.number_of_patches);
-      // again, there is nothing to do but to join what would be another part now
-      const auto again =
-          TA::select_crease_seams(mesh, seams, options, parameters::edge_is_constrained_map(forbidden));
-      BOOST_TEST(again.number_of_parts >= report.number_of_parts);
+  for(unsigned seed = 0; seed < 60; ++seed) {
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    std::mt19937 random(seed);
+    Mesh mesh = seam_surfaces::random_surface(seed).mesh();
+    TA::Crease_options options;
+    options.angle = std::uniform_real_distribution<>(0.1, 1.5)(random);
+    const Marks given = mesh.add_property_map<Edge, bool>("e:given", false).first,
+                seams = mesh.add_property_map<Edge, bool>("e:seam", false).first,
+                forbidden = mesh.add_property_map<Edge, bool>("e:forbidden", false).first;
+    for(const Edge e : mesh.edges()) {
+      given[e] = seams[e] = !mesh.is_border(e) && random() % 20 == 0;
+      forbidden[e] = random() % 5 == 0;
     }
+    const auto report =
+        TA::select_crease_seams(mesh, seams, options, parameters::edge_is_constrained_map(forbidden));
+    BOOST_TEST_REQUIRE(bool(report), report.message);
+    for(const Edge e : mesh.edges())
+      BOOST_TEST(
+          (given[e] ? seams[e] : !seams[e] || (!forbidden[e] && bend(mesh, e) > options.angle * (1 - 1e-9))));
+    BOOST_TEST(report.number_of_parts <= report.number_of_patches);
+    // again, there is nothing to do but to join what would be another part now
+    const auto again =
+        TA::select_crease_seams(mesh, seams, options, parameters::edge_is_constrained_map(forbidden));
+    BOOST_TEST(again.number_of_parts >= report.number_of_parts);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(smooth_surfaces_have_no_creases)
@@ -368,20 +362,20 @@ BOOST_AUTO_TEST_SUITE(of_CGAL_meshes, *test_data::needs(test_data::CGAL_meshes))
 
 BOOST_AUTO_TEST_CASE(machine_parts_keep_their_angles)
 {
-  for(const char* name : {"fandisk.off", "anchor.off", "joint.off", "part.off", "dragknob.off", "cross.off"})
-    BOOST_TEST_CONTEXT(name)
-    {
-      Mesh mesh;
-      BOOST_TEST_REQUIRE(CGAL::IO::read_polygon_mesh(test_data::CGAL_meshes / name, mesh));
-      const Crease_atlas atlas = make_crease_atlas(mesh);
-      BOOST_TEST(atlas.creases.is_hard_surface());
-      BOOST_TEST(atlas.creases.is_developable ==
-                 (name == std::string("joint.off") || name == std::string("cross.off")));
-      BOOST_TEST(angle_change(atlas) < 1);
-      BOOST_TEST(atlas.creases.seam_length >= 0.8 * atlas.run.report.seam_length);
-      if(name == std::string("fandisk.off"))
-        BOOST_TEST(atlas.creases.seam_length >= 0.9 * atlas.run.report.seam_length);
-    }
+  for(const char* name :
+      {"fandisk.off", "anchor.off", "joint.off", "part.off", "dragknob.off", "cross.off"}) {
+    BOOST_TEST_INFO_SCOPE(name);
+    Mesh mesh;
+    BOOST_TEST_REQUIRE(CGAL::IO::read_polygon_mesh(test_data::CGAL_meshes / name, mesh));
+    const Crease_atlas atlas = make_crease_atlas(mesh);
+    BOOST_TEST(atlas.creases.is_hard_surface());
+    BOOST_TEST(atlas.creases.is_developable ==
+               (name == std::string("joint.off") || name == std::string("cross.off")));
+    BOOST_TEST(angle_change(atlas) < 1);
+    BOOST_TEST(atlas.creases.seam_length >= 0.8 * atlas.run.report.seam_length);
+    if(name == std::string("fandisk.off"))
+      BOOST_TEST(atlas.creases.seam_length >= 0.9 * atlas.run.report.seam_length);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(figures_are_no_hard_surfaces)

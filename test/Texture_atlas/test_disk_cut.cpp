@@ -26,7 +26,6 @@
 #include <numeric>
 #include <random>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -231,40 +230,38 @@ BOOST_AUTO_TEST_CASE(random_seams_on_random_surfaces)
   const unsigned int seeds = std::getenv("ABF_TEST_QUICK") ? 150 : 400;
   for(unsigned int seed = 0; seed < seeds; ++seed) {
     const Surface surface = seam_surfaces::random_surface(seed);
-    BOOST_TEST_CONTEXT(surface.name << ", seed " << seed)
-    {
-      const Mesh mesh = surface.mesh();
-      const Seams<Mesh> seams = random_seams(mesh, random);
-      const auto result = check(mesh, seams);
-      const std::vector<Count> counts = count_parts(mesh, seams);
-      BOOST_REQUIRE(result.parts.size() == counts.size());
-      const auto seam_mesh = TA::make_seam_mesh(mesh, seams.map).mesh;
-      std::size_t disks = 0, vertices = 0;
-      for(std::size_t p = 0; p < counts.size(); ++p) {
-        const auto& part = result.parts[p];
-        BOOST_TEST(part.number_of_faces == counts[p].faces);
-        BOOST_TEST(part.borders.size() == counts[p].borders);
-        BOOST_TEST(part.euler_characteristic ==
-                   static_cast<std::ptrdiff_t>(counts[p].vertices + counts[p].faces) -
-                       static_cast<std::ptrdiff_t>(counts[p].edges));
-        BOOST_TEST(name(part.status) == name(expected_defect(counts[p])));
-        ++tally[part.status];
-        disks += part.status == Diagnosis::NOTHING_WRONG;
-        vertices += counts[p].vertices;
-        const auto border = TA::border_halfedge(seam_mesh, part.face);
-        if(part.status == Diagnosis::NO_BORDER)
-          BOOST_TEST((border == Mesh::null_halfedge()));
-        else {
-          const auto [is_taken, vertices_read] = read_part(seam_mesh, border);
-          BOOST_TEST(is_taken == (part.status == Diagnosis::NOTHING_WRONG));
-          BOOST_TEST(static_cast<std::size_t>(vertices_read) == counts[p].vertices);
-        }
+    BOOST_TEST_INFO_SCOPE(surface.name << ", seed " << seed);
+    const Mesh mesh = surface.mesh();
+    const Seams<Mesh> seams = random_seams(mesh, random);
+    const auto result = check(mesh, seams);
+    const std::vector<Count> counts = count_parts(mesh, seams);
+    BOOST_REQUIRE(result.parts.size() == counts.size());
+    const auto seam_mesh = TA::make_seam_mesh(mesh, seams.map).mesh;
+    std::size_t disks = 0, vertices = 0;
+    for(std::size_t p = 0; p < counts.size(); ++p) {
+      const auto& part = result.parts[p];
+      BOOST_TEST(part.number_of_faces == counts[p].faces);
+      BOOST_TEST(part.borders.size() == counts[p].borders);
+      BOOST_TEST(part.euler_characteristic ==
+                 static_cast<std::ptrdiff_t>(counts[p].vertices + counts[p].faces) -
+                     static_cast<std::ptrdiff_t>(counts[p].edges));
+      BOOST_TEST(name(part.status) == name(expected_defect(counts[p])));
+      ++tally[part.status];
+      disks += part.status == Diagnosis::NOTHING_WRONG;
+      vertices += counts[p].vertices;
+      const auto border = TA::border_halfedge(seam_mesh, part.face);
+      if(part.status == Diagnosis::NO_BORDER)
+        BOOST_TEST((border == Mesh::null_halfedge()));
+      else {
+        const auto [is_taken, vertices_read] = read_part(seam_mesh, border);
+        BOOST_TEST(is_taken == (part.status == Diagnosis::NOTHING_WRONG));
+        BOOST_TEST(static_cast<std::size_t>(vertices_read) == counts[p].vertices);
       }
-      BOOST_TEST(result.number_of_disks == disks);
-      BOOST_TEST(static_cast<bool>(result) == (disks == counts.size()));
-      BOOST_TEST(result.message.empty() == static_cast<bool>(result));
-      BOOST_TEST(num_vertices(seam_mesh) == vertices);
     }
+    BOOST_TEST(result.number_of_disks == disks);
+    BOOST_TEST(static_cast<bool>(result) == (disks == counts.size()));
+    BOOST_TEST(result.message.empty() == static_cast<bool>(result));
+    BOOST_TEST(num_vertices(seam_mesh) == vertices);
   }
   for(Diagnosis defect : {Diagnosis::NOTHING_WRONG, Diagnosis::NO_BORDER, Diagnosis::NONZERO_GENUS,
                           Diagnosis::SEVERAL_BORDERS, Diagnosis::SHORT_BORDER})
@@ -278,17 +275,16 @@ BOOST_AUTO_TEST_CASE(surfaces_without_seams)
                   {seam_surfaces::sphere(2), seam_surfaces::torus(7, 5), seam_surfaces::tube(5, 3),
                    seam_surfaces::slab(0), seam_surfaces::slab(3), seam_surfaces::slab(11),
                    seam_surfaces::sphere_with_holes(1, 1), seam_surfaces::sphere_with_holes(50, 2)});
-  for(const Surface& surface : surfaces)
-    BOOST_TEST_CONTEXT(surface.name)
-    {
-      const Mesh mesh = surface.mesh();
-      BOOST_TEST(CGAL::is_triangle_mesh(mesh));
-      const auto result = check(mesh, Seams<Mesh>(mesh));
-      BOOST_REQUIRE(result.parts.size() == 1u);
-      BOOST_TEST(result.parts[0].number_of_handles == surface.handles);
-      BOOST_TEST(result.parts[0].borders.size() == surface.borders);
-      BOOST_TEST(static_cast<bool>(result) == (surface.handles == 0 && surface.borders == 1));
-    }
+  for(const Surface& surface : surfaces) {
+    BOOST_TEST_INFO_SCOPE(surface.name);
+    const Mesh mesh = surface.mesh();
+    BOOST_TEST(CGAL::is_triangle_mesh(mesh));
+    const auto result = check(mesh, Seams<Mesh>(mesh));
+    BOOST_REQUIRE(result.parts.size() == 1u);
+    BOOST_TEST(result.parts[0].number_of_handles == surface.handles);
+    BOOST_TEST(result.parts[0].borders.size() == surface.borders);
+    BOOST_TEST(static_cast<bool>(result) == (surface.handles == 0 && surface.borders == 1));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(no_faces)

@@ -163,22 +163,21 @@ Atlas_run as_given(const Charted_mesh& charts)
 
 BOOST_AUTO_TEST_CASE(shapes_are_kept)
 {
-  for(unsigned seed = 0; seed < 6; ++seed)
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      Charted_mesh charts = Charted_mesh::random(seed);
-      const Atlas_run before = as_given(charts), after = charts.pack(options_of(Atlas_options::KEEP));
-      Wishes wishes;
-      wishes.resolution = 256;
-      wishes.stretch_bound = 2;
-      check_atlas(after, wishes);
-      BOOST_TEST(after.is_seam == before.is_seam, boost::test_tools::per_element());
-      BOOST_TEST_REQUIRE(after.report.charts.size() == charts.number_of_charts);
-      for(int c = 0; c < static_cast<int>(charts.number_of_charts); ++c) {
-        BOOST_TEST(change_of_shape(before, after, c) < 1e-9);
-        BOOST_TEST((after.report.charts[static_cast<std::size_t>(c)].method == Atlas_report::GIVEN));
-      }
+  for(unsigned seed = 0; seed < 6; ++seed) {
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    Charted_mesh charts = Charted_mesh::random(seed);
+    const Atlas_run before = as_given(charts), after = charts.pack(options_of(Atlas_options::KEEP));
+    Wishes wishes;
+    wishes.resolution = 256;
+    wishes.stretch_bound = 2;
+    check_atlas(after, wishes);
+    BOOST_TEST(after.is_seam == before.is_seam, boost::test_tools::per_element());
+    BOOST_TEST_REQUIRE(after.report.charts.size() == charts.number_of_charts);
+    for(int c = 0; c < static_cast<int>(charts.number_of_charts); ++c) {
+      BOOST_TEST(change_of_shape(before, after, c) < 1e-9);
+      BOOST_TEST((after.report.charts[static_cast<std::size_t>(c)].method == Atlas_report::GIVEN));
     }
+  }
 }
 
 // On pages that are twice as wide as high, shapes are those in texels.
@@ -273,49 +272,47 @@ void spoil(Charted_mesh& charts, int c, const std::string& how)
 
 BOOST_AUTO_TEST_CASE(wrong_charts_are_named)
 {
-  for(const Defect& defect : defects)
-    BOOST_TEST_CONTEXT(defect.name)
-    {
-      Charted_mesh charts = Charted_mesh::random(3);
-      const int wrong = charts.largest_chart();
-      spoil(charts, wrong, defect.name);
-      const Atlas_run before = as_given(charts), after = charts.pack(options_of(Atlas_options::KEEP));
-      BOOST_TEST(after.report.status == defect.status);
-      BOOST_TEST(!after.report.has_atlas());
-      BOOST_TEST(after.report.message.find("1 of ") == 0u, after.report.message);
-      BOOST_TEST(after.report.message.find("vertex at (") != std::string::npos, after.report.message);
-      BOOST_TEST_REQUIRE(after.report.skipped.size() == 1u);
-      const std::size_t first = after.report.skipped.front().first_face;
-      BOOST_TEST(before.chart[first] == wrong);
-      BOOST_TEST(after.number_of_marked_edges == 0u);
-      BOOST_TEST(after.chart == before.chart, boost::test_tools::per_element());
-      bool are_unchanged = true;
-      for(std::size_t c = 0; c < before.uv.size(); ++c)
-        are_unchanged = are_unchanged && (before.uv[c] == after.uv[c] || std::isnan(before.uv[c].x()));
-      BOOST_TEST(are_unchanged);
-    }
+  for(const Defect& defect : defects) {
+    BOOST_TEST_INFO_SCOPE(defect.name);
+    Charted_mesh charts = Charted_mesh::random(3);
+    const int wrong = charts.largest_chart();
+    spoil(charts, wrong, defect.name);
+    const Atlas_run before = as_given(charts), after = charts.pack(options_of(Atlas_options::KEEP));
+    BOOST_TEST(after.report.status == defect.status);
+    BOOST_TEST(!after.report.has_atlas());
+    BOOST_TEST(after.report.message.find("1 of ") == 0u, after.report.message);
+    BOOST_TEST(after.report.message.find("vertex at (") != std::string::npos, after.report.message);
+    BOOST_TEST_REQUIRE(after.report.skipped.size() == 1u);
+    const std::size_t first = after.report.skipped.front().first_face;
+    BOOST_TEST(before.chart[first] == wrong);
+    BOOST_TEST(after.number_of_marked_edges == 0u);
+    BOOST_TEST(after.chart == before.chart, boost::test_tools::per_element());
+    bool are_unchanged = true;
+    for(std::size_t c = 0; c < before.uv.size(); ++c)
+      are_unchanged = are_unchanged && (before.uv[c] == after.uv[c] || std::isnan(before.uv[c].x()));
+    BOOST_TEST(are_unchanged);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(wrong_charts_are_repaired)
 {
-  for(const Defect& defect : defects)
-    BOOST_TEST_CONTEXT(defect.name)
-    {
-      Charted_mesh charts = Charted_mesh::random(3);
-      const int wrong = charts.largest_chart();
-      spoil(charts, wrong, defect.name);
-      const Atlas_run before = as_given(charts), after = charts.pack(options_of(Atlas_options::REPAIR));
-      Wishes wishes;
-      wishes.resolution = 256;
-      wishes.stretch_bound = 1.07;
-      check_atlas(after, wishes);
-      for(std::size_t f = 0; f < after.number_of_faces(); ++f) {
-        const Atlas_report::Chart& chart = after.report.charts[static_cast<std::size_t>(after.chart[f])];
-        BOOST_TEST_REQUIRE((chart.method == Atlas_report::GIVEN) == (before.chart[f] != wrong));
-      }
-      for(int c = 0; c < static_cast<int>(charts.number_of_charts); ++c)
-        BOOST_TEST((change_of_shape(before, after, c) < 1e-9) == (c != wrong));
+  for(const Defect& defect : defects) {
+    BOOST_TEST_INFO_SCOPE(defect.name);
+    Charted_mesh charts = Charted_mesh::random(3);
+    const int wrong = charts.largest_chart();
+    spoil(charts, wrong, defect.name);
+    const Atlas_run before = as_given(charts), after = charts.pack(options_of(Atlas_options::REPAIR));
+    Wishes wishes;
+    wishes.resolution = 256;
+    wishes.stretch_bound = 1.07;
+    check_atlas(after, wishes);
+    for(std::size_t f = 0; f < after.number_of_faces(); ++f) {
+      const Atlas_report::Chart& chart = after.report.charts[static_cast<std::size_t>(after.chart[f])];
+      BOOST_TEST_REQUIRE((chart.method == Atlas_report::GIVEN) == (before.chart[f] != wrong));
     }
+    for(int c = 0; c < static_cast<int>(charts.number_of_charts); ++c)
+      BOOST_TEST((change_of_shape(before, after, c) < 1e-9) == (c != wrong));
+  }
 }
 
 namespace {

@@ -125,47 +125,46 @@ void check_equal(const SMP::Flattening_measures& measures, const SMP::Flattening
 BOOST_AUTO_TEST_CASE(atlases_are_injective)
 {
   std::size_t charts = 0;
-  for(unsigned seed = 0; seed < 25; ++seed)
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      Atlas atlas(seed);
-      if(!atlas.report.has_atlas() || !atlas.report.skipped.empty())
-        continue;
-      charts += atlas.report.charts.size();
-      BOOST_TEST(SMP::is_injective(atlas.mesh, atlas.uv));
-      BOOST_TEST(SMP::is_locally_injective(atlas.mesh, atlas.uv));
-      BOOST_TEST(atlas.overlapping().empty());
-      const Opened opened(atlas);
-      BOOST_TEST(SMP::is_injective(opened.mesh, opened.uv));
-      check_equal(SMP::measure_flattening(atlas.mesh, atlas.uv),
-                  SMP::measure_flattening(opened.mesh, opened.uv));
+  for(unsigned seed = 0; seed < 25; ++seed) {
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    Atlas atlas(seed);
+    if(!atlas.report.has_atlas() || !atlas.report.skipped.empty())
+      continue;
+    charts += atlas.report.charts.size();
+    BOOST_TEST(SMP::is_injective(atlas.mesh, atlas.uv));
+    BOOST_TEST(SMP::is_locally_injective(atlas.mesh, atlas.uv));
+    BOOST_TEST(atlas.overlapping().empty());
+    const Opened opened(atlas);
+    BOOST_TEST(SMP::is_injective(opened.mesh, opened.uv));
+    check_equal(SMP::measure_flattening(atlas.mesh, atlas.uv),
+                SMP::measure_flattening(opened.mesh, opened.uv));
 
-      // The first chart is laid over the last one.
-      const auto middle_of_face = [&](int chart) {
-        for(const Face f : atlas.mesh.faces())
-          if(const Halfedge h = atlas.mesh.halfedge(f); atlas.chart[f] == chart)
-            return CGAL::centroid(atlas.uv[h], atlas.uv[atlas.mesh.next(h)], atlas.uv[atlas.mesh.prev(h)]);
-        throw std::logic_error("there is no such chart");
-      };
-      const int last = static_cast<int>(atlas.report.charts.size()) - 1;
-      if(last == 0)
-        continue;
-      const Kernel::Vector_2 move = middle_of_face(last) - middle_of_face(0);
+    // The first chart is laid over the last one.
+    const auto middle_of_face = [&](int chart) {
       for(const Face f : atlas.mesh.faces())
-        if(atlas.chart[f] == 0)
-          for(const Halfedge h : atlas.mesh.halfedges_around_face(atlas.mesh.halfedge(f)))
-            atlas.uv[h] = atlas.uv[h] + move;
-      BOOST_TEST(!SMP::is_injective(atlas.mesh, atlas.uv));
-      BOOST_TEST(SMP::is_locally_injective(atlas.mesh, atlas.uv));
-      bool has_first = false, has_last = false;
-      for(const Face f : atlas.overlapping()) {
-        has_first = has_first || atlas.chart[f] == 0;
-        has_last = has_last || atlas.chart[f] == last;
-      }
-      BOOST_TEST(has_first);
-      BOOST_TEST(has_last);
-      BOOST_TEST(!SMP::measure_flattening(atlas.mesh, atlas.uv).border_is_simple);
+        if(const Halfedge h = atlas.mesh.halfedge(f); atlas.chart[f] == chart)
+          return CGAL::centroid(atlas.uv[h], atlas.uv[atlas.mesh.next(h)], atlas.uv[atlas.mesh.prev(h)]);
+      throw std::logic_error("there is no such chart");
+    };
+    const int last = static_cast<int>(atlas.report.charts.size()) - 1;
+    if(last == 0)
+      continue;
+    const Kernel::Vector_2 move = middle_of_face(last) - middle_of_face(0);
+    for(const Face f : atlas.mesh.faces())
+      if(atlas.chart[f] == 0)
+        for(const Halfedge h : atlas.mesh.halfedges_around_face(atlas.mesh.halfedge(f)))
+          atlas.uv[h] = atlas.uv[h] + move;
+    BOOST_TEST(!SMP::is_injective(atlas.mesh, atlas.uv));
+    BOOST_TEST(SMP::is_locally_injective(atlas.mesh, atlas.uv));
+    bool has_first = false, has_last = false;
+    for(const Face f : atlas.overlapping()) {
+      has_first = has_first || atlas.chart[f] == 0;
+      has_last = has_last || atlas.chart[f] == last;
     }
+    BOOST_TEST(has_first);
+    BOOST_TEST(has_last);
+    BOOST_TEST(!SMP::measure_flattening(atlas.mesh, atlas.uv).border_is_simple);
+  }
   BOOST_TEST(charts > 30u);
 }
 
@@ -269,37 +268,36 @@ std::vector<std::vector<File_corner>> corners_of(const Mesh& mesh, const UVMap& 
 BOOST_AUTO_TEST_CASE(obj_files_are_read_back)
 {
   int written = 0;
-  for(unsigned seed = 0; seed < 10; ++seed)
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      Atlas atlas(seed);
-      const bool is_finite =
-          std::all_of(atlas.mesh.points().begin(), atlas.mesh.points().end(), [](const Mesh::Point& p) {
-            return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
-          });
-      std::stringstream stream;
-      stream.precision(3);
-      BOOST_TEST(bool(TA::IO::write_OBJ(stream, atlas.mesh, atlas.uv)) == is_finite);
-      if(!is_finite)
-        continue;
-      ++written;
-      BOOST_TEST(stream.precision() == 3);
-      std::size_t coordinates = 0;
-      BOOST_TEST(
-          (read_obj(stream, coordinates) == corners_of(atlas.mesh, atlas.uv, [](Face) { return true; })));
-      const std::size_t shared = coordinates;
-      if(atlas.report.has_atlas() && atlas.report.skipped.empty())
-        BOOST_TEST(shared == Opened(atlas).mesh.number_of_vertices());
+  for(unsigned seed = 0; seed < 10; ++seed) {
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    Atlas atlas(seed);
+    const bool is_finite =
+        std::all_of(atlas.mesh.points().begin(), atlas.mesh.points().end(), [](const Mesh::Point& p) {
+          return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+        });
+    std::stringstream stream;
+    stream.precision(3);
+    BOOST_TEST(bool(TA::IO::write_OBJ(stream, atlas.mesh, atlas.uv)) == is_finite);
+    if(!is_finite)
+      continue;
+    ++written;
+    BOOST_TEST(stream.precision() == 3);
+    std::size_t coordinates = 0;
+    BOOST_TEST(
+        (read_obj(stream, coordinates) == corners_of(atlas.mesh, atlas.uv, [](Face) { return true; })));
+    const std::size_t shared = coordinates;
+    if(atlas.report.has_atlas() && atlas.report.skipped.empty())
+      BOOST_TEST(shared == Opened(atlas).mesh.number_of_vertices());
 
-      // Charts share nothing, and faces without chart have no coordinates.
-      std::stringstream apart;
-      for(const Face f : atlas.mesh.faces())
-        atlas.chart[f] = static_cast<int>(f.idx() % 3) - 1;
-      BOOST_TEST(bool(
-          TA::IO::write_OBJ(apart, atlas.mesh, atlas.uv, CGAL::parameters::face_patch_map(atlas.chart))));
-      BOOST_TEST((read_obj(apart, coordinates) ==
-                  corners_of(atlas.mesh, atlas.uv, [&](Face f) { return atlas.chart[f] >= 0; })));
-    }
+    // Charts share nothing, and faces without chart have no coordinates.
+    std::stringstream apart;
+    for(const Face f : atlas.mesh.faces())
+      atlas.chart[f] = static_cast<int>(f.idx() % 3) - 1;
+    BOOST_TEST(
+        bool(TA::IO::write_OBJ(apart, atlas.mesh, atlas.uv, CGAL::parameters::face_patch_map(atlas.chart))));
+    BOOST_TEST((read_obj(apart, coordinates) ==
+                corners_of(atlas.mesh, atlas.uv, [&](Face f) { return atlas.chart[f] >= 0; })));
+  }
   BOOST_TEST(written >= 8);
 }
 

@@ -12,7 +12,6 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <limits>
 #include <string>

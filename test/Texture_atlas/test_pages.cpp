@@ -19,7 +19,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -165,36 +164,6 @@ BOOST_AUTO_TEST_CASE(charts_on_any_pages_are_apart)
       check_page(page_of(charts, packing, options, k), options);
   }
   BOOST_TEST(numbers_of_pages.size() > 5u);
-}
-
-BOOST_AUTO_TEST_CASE(the_certificate_sees_other_pages_and_blocks)
-{
-  std::mt19937 random(2);
-  const Planar_charts charts = plump_charts(30, random);
-  Packing_options options;
-  options.resolution = 128;
-  options.height = 64;
-  options.gutter = 0;
-  options.texels_per_unit = texels_for(charts, options, 2);
-  const Packing packing = pack(charts, options);
-  BOOST_REQUIRE(packing.status == Packing::DONE);
-  const std::vector<Planar_point> corners = placed_corners(charts, packing);
-  const auto status = [&](const std::vector<int>& page) {
-    return TA::internal::certify_packing(corners, charts.chart, page, options).status;
-  };
-  BOOST_TEST((status(packing.page) == Packing_check::CERTIFIED));
-  std::vector<int> wrong = packing.page;
-  ++wrong[7];
-  BOOST_TEST((status(wrong) == Packing_check::OUTSIDE));
-  for(options.block = 2; options.block <= 16; options.block *= 2) {
-    bool is_apart = true;
-    for(int k = 0; k < packing.number_of_pages; ++k) {
-      const Page page = page_of(charts, packing, options, k);
-      is_apart = is_apart && !Texel_oracle(page.corners, page.chart, 128 / options.block).are_too_near(0);
-    }
-    BOOST_TEST((status(packing.page) == Packing_check::CERTIFIED) == is_apart);
-  }
-  BOOST_TEST((status(packing.page) == Packing_check::SHARED_TEXEL));
 }
 
 BOOST_AUTO_TEST_CASE(each_chart_has_the_given_density)

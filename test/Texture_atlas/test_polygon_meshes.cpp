@@ -156,23 +156,6 @@ BOOST_AUTO_TEST_CASE(polygons_of_a_polyhedron_have_charts)
   check(mesh, uv_map, boost::make_assoc_property_map(charts), boost::make_assoc_property_map(seams));
 }
 
-BOOST_AUTO_TEST_CASE(the_unit_of_length_of_polygons_does_not_matter)
-{
-  Mapped usual(torus<Mesh>(24, 10));
-  BOOST_TEST(bool(TA::make_atlas(usual.mesh, usual.seams, usual.uv, usual.charts)));
-  for(const int exponent : {-400, 400}) {
-    Mapped scaled(torus<Mesh>(24, 10));
-    const double unit = std::ldexp(1, exponent);
-    for(const Vertex v : scaled.mesh.vertices()) {
-      const Kernel::Point_3 p = scaled.mesh.point(v);
-      scaled.mesh.point(v) = Kernel::Point_3(unit * p.x(), unit * p.y(), unit * p.z());
-    }
-    BOOST_TEST(bool(TA::make_atlas(scaled.mesh, scaled.seams, scaled.uv, scaled.charts)));
-    for(const Halfedge h : usual.mesh.halfedges())
-      BOOST_TEST((usual.uv[h] == scaled.uv[h]));
-  }
-}
-
 BOOST_AUTO_TEST_CASE(named_parameters_are_about_polygons)
 {
   Mapped mapped(torus<Mesh>(24, 10));

@@ -84,19 +84,18 @@ std::vector<std::pair<double, double>> densities(const Atlas_run& run)
 BOOST_AUTO_TEST_CASE(textures_have_more_and_more_even_texels)
 {
   double few = 0, texture = 0, few_low = 0, texture_low = 0; // sums of logarithms
-  for(unsigned seed = 0; seed < 8; ++seed)
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      const Mesh mesh = surface(seed);
-      const Atlas_run one = atlas(mesh, Atlas_options::FEW_CHARTS, 1.1),
-                      many = atlas(mesh, Atlas_options::TEXTURE, 1.07);
-      BOOST_TEST(many.report.measures.l2_stretch <= 1.05);
-      BOOST_TEST(many.report.measures.l2_stretch <= one.report.measures.l2_stretch + 1e-3);
-      few += std::log(one.report.texel_density);
-      texture += std::log(many.report.texel_density);
-      few_low += std::log(one.report.low_texel_density);
-      texture_low += std::log(many.report.low_texel_density);
-    }
+  for(unsigned seed = 0; seed < 8; ++seed) {
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    const Mesh mesh = surface(seed);
+    const Atlas_run one = atlas(mesh, Atlas_options::FEW_CHARTS, 1.1),
+                    many = atlas(mesh, Atlas_options::TEXTURE, 1.07);
+    BOOST_TEST(many.report.measures.l2_stretch <= 1.05);
+    BOOST_TEST(many.report.measures.l2_stretch <= one.report.measures.l2_stretch + 1e-3);
+    few += std::log(one.report.texel_density);
+    texture += std::log(many.report.texel_density);
+    few_low += std::log(one.report.low_texel_density);
+    texture_low += std::log(many.report.low_texel_density);
+  }
   BOOST_TEST(texture > few + 8 * std::log(1.2));
   BOOST_TEST(texture_low > few_low + 8 * std::log(1.3));
 }
@@ -124,21 +123,20 @@ BOOST_AUTO_TEST_CASE(densities_are_those_of_the_coordinates)
 // ABF++ does not map the pieces anew.
 BOOST_AUTO_TEST_CASE(conformal_charts_keep_the_angles)
 {
-  for(unsigned seed = 0; seed < 4; ++seed)
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      Atlas_options options(Atlas_options::CONFORMAL);
-      options.equal_seam_lengths = false;
-      options.seam_price = std::numeric_limits<double>::infinity();
-      const Atlas_run conformal = atlas(surface(seed), options, 1.1);
-      options.isometric_charts = true;
-      const Atlas_run isometric = atlas(surface(seed), options, 1.1);
-      BOOST_TEST((conformal.chart == isometric.chart));
-      BOOST_TEST(conformal.report.measures.angular_distortion < isometric.report.measures.angular_distortion);
-      BOOST_TEST(conformal.report.measures.l2_stretch > isometric.report.measures.l2_stretch);
-      for(const Atlas_report::Chart& chart : conformal.report.charts)
-        BOOST_TEST((chart.method == Atlas_report::ABF_PLUS_PLUS || chart.method == Atlas_report::SEPARATED));
-    }
+  for(unsigned seed = 0; seed < 4; ++seed) {
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    Atlas_options options(Atlas_options::CONFORMAL);
+    options.equal_seam_lengths = false;
+    options.seam_price = std::numeric_limits<double>::infinity();
+    const Atlas_run conformal = atlas(surface(seed), options, 1.1);
+    options.isometric_charts = true;
+    const Atlas_run isometric = atlas(surface(seed), options, 1.1);
+    BOOST_TEST((conformal.chart == isometric.chart));
+    BOOST_TEST(conformal.report.measures.angular_distortion < isometric.report.measures.angular_distortion);
+    BOOST_TEST(conformal.report.measures.l2_stretch > isometric.report.measures.l2_stretch);
+    for(const Atlas_report::Chart& chart : conformal.report.charts)
+      BOOST_TEST((chart.method == Atlas_report::ABF_PLUS_PLUS || chart.method == Atlas_report::SEPARATED));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(cheaper_seams_cover_more)

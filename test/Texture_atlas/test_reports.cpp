@@ -416,11 +416,9 @@ BOOST_AUTO_TEST_CASE(are_refused)
   for(double x0 : {0., 1., -1e6, 1e200})
     for(const auto& [x, y, z] : std::vector<std::array<double, 3>>{
             {0, 0, 0}, {1, 0, 0}, {0, 0, 1e-300}, {0.1, 0.2, 0.3}, {1, -3, 1e-9}, {1e-20, 0.7, 1e20}}) {
-      BOOST_TEST_CONTEXT(x0 << " and " << x << ' ' << y << ' ' << z)
-      {
-        move(s, x, y, z, x0);
-        check_no_area(s);
-      }
+      BOOST_TEST_INFO_SCOPE(x0 << " and " << x << ' ' << y << ' ' << z);
+      move(s, x, y, z, x0);
+      check_no_area(s);
     }
 }
 

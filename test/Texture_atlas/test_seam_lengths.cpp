@@ -138,35 +138,33 @@ Mesh bumpy_sphere(int levels, unsigned seed)
 
 BOOST_AUTO_TEST_CASE(of_spheres_are_equal)
 {
-  for(unsigned seed = 0; seed < 8; ++seed)
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      Mesh mesh = bumpy_sphere(3, seed);
-      const Seams seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-      BOOST_REQUIRE(
-          TA::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, 1.02 + 0.05 * seed))
-              .status == SMP::Diagnosis::NOTHING_WRONG);
-      check_equal(mesh, seams, 1.5);
-    }
+  for(unsigned seed = 0; seed < 8; ++seed) {
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    Mesh mesh = bumpy_sphere(3, seed);
+    const Seams seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
+    BOOST_REQUIRE(
+        TA::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, 1.02 + 0.05 * seed))
+            .status == SMP::Diagnosis::NOTHING_WRONG);
+    check_equal(mesh, seams, 1.5);
+  }
 }
 
 // What vertices are off by adds up along seams: then the last step is not yet the last.
 BOOST_AUTO_TEST_CASE(are_equal_to_the_tolerance)
 {
   for(double tolerance : {1e-2, 1e-3, 1e-4, 1e-7})
-    for(unsigned seed = 0; seed < 8; ++seed)
-      BOOST_TEST_CONTEXT("tolerance " << tolerance << ", seed " << seed)
-      {
-        Mesh mesh = bumpy_sphere(3, seed);
-        const Seams seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-        TA::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, 1.02));
-        Options options = with_equal_lengths(true);
-        options.tolerance = tolerance;
-        const Map map = flatten(mesh, seams, options);
-        BOOST_TEST(map.report.converged);
-        BOOST_TEST(map.report.constraint_residual <= tolerance);
-        BOOST_TEST(map.jump <= 1.1 * tolerance);
-      }
+    for(unsigned seed = 0; seed < 8; ++seed) {
+      BOOST_TEST_INFO_SCOPE("tolerance " << tolerance << ", seed " << seed);
+      Mesh mesh = bumpy_sphere(3, seed);
+      const Seams seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
+      TA::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, 1.02));
+      Options options = with_equal_lengths(true);
+      options.tolerance = tolerance;
+      const Map map = flatten(mesh, seams, options);
+      BOOST_TEST(map.report.converged);
+      BOOST_TEST(map.report.constraint_residual <= tolerance);
+      BOOST_TEST(map.jump <= 1.1 * tolerance);
+    }
 }
 
 // Seams from one vertex to all corners of a fan around it: a vertex with a hundred places, and ends with one place
@@ -219,30 +217,29 @@ BOOST_AUTO_TEST_CASE(of_other_surfaces_are_equal)
 // Equations of loops and of holes at once
 BOOST_AUTO_TEST_CASE(beside_holes_are_equal)
 {
-  for(const Surface& surface : {torus(16, 10), slab(2), sphere(2)})
-    BOOST_TEST_CONTEXT(surface.name)
-    {
-      Mesh mesh = surface.mesh();
-      if(surface.handles == 2)
-        CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(1));
-      const Seams seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
-      TA::cut_to_disks(mesh, seams);
-      int holes = 0;
-      for(Mesh::Face_index f : mesh.faces()) {
-        bool is_inside = true;
-        for(auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
-          for(auto g : mesh.halfedges_around_target(h))
-            is_inside = is_inside && !seams[mesh.edge(g)] && !mesh.is_border(mesh.edge(g));
-        if(is_inside && holes < 3) {
-          CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
-          ++holes;
-        }
+  for(const Surface& surface : {torus(16, 10), slab(2), sphere(2)}) {
+    BOOST_TEST_INFO_SCOPE(surface.name);
+    Mesh mesh = surface.mesh();
+    if(surface.handles == 2)
+      CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(1));
+    const Seams seams = mesh.add_property_map<Mesh::Edge_index, bool>("e:seam", false).first;
+    TA::cut_to_disks(mesh, seams);
+    int holes = 0;
+    for(Mesh::Face_index f : mesh.faces()) {
+      bool is_inside = true;
+      for(auto h : mesh.halfedges_around_face(mesh.halfedge(f)))
+        for(auto g : mesh.halfedges_around_target(h))
+          is_inside = is_inside && !seams[mesh.edge(g)] && !mesh.is_border(mesh.edge(g));
+      if(is_inside && holes < 3) {
+        CGAL::Euler::remove_face(mesh.halfedge(f), mesh);
+        ++holes;
       }
-      BOOST_TEST(holes == 3);
-      mesh.collect_garbage();
-      for(Options::Holes treatment : {Options::SOLVE, Options::FILL})
-        check_equal(mesh, seams, 2, treatment);
     }
+    BOOST_TEST(holes == 3);
+    mesh.collect_garbage();
+    for(Options::Holes treatment : {Options::SOLVE, Options::FILL})
+      check_equal(mesh, seams, 2, treatment);
+  }
 }
 
 // Sides that are not those of each other

@@ -20,11 +20,9 @@
 #include <CGAL/Texture_atlas/select_seams.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <random>
-#include <string>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_seam_updates)
@@ -124,37 +122,6 @@ std::vector<Surface> surfaces()
 
 } // namespace
 
-// Vertices become grounded and are released again, few or many at a time, and also the first ones.
-BOOST_AUTO_TEST_CASE(predictions_are_those_of_new_factorizations)
-{
-  Calls calls;
-  const ABF::Linear_solvers solvers = Counting_traits(calls), others = CGAL::SuperLU_solver_traits<>();
-  int predictions = 0;
-  for(const Surface& surface : surfaces()) {
-    const ABF::Surface_part part = part_of(surface.mesh(), 1);
-    const TA::internal::Log_scale log_scale(part.chart, others);
-    ABF::Grounded_laplacian laplacian(log_scale.laplacian(), solvers);
-    const int n = part.chart.number_of_vertices();
-    std::mt19937 random(5);
-    std::vector<char> is_grounded(n, false);
-    is_grounded[random() % n] = true;
-    for(int step = 0; step < 30; ++step, ++predictions) {
-      const unsigned one_of = 2 + random() % 40;
-      for(int v = 0; v < n; ++v)
-        if(random() % one_of == 0)
-          is_grounded[v] = random() % 3 > 0;
-      is_grounded[random() % n] = true;
-      Eigen::VectorXd u;
-      BOOST_TEST_REQUIRE(laplacian.solve(is_grounded, log_scale.sources(), u));
-      const auto expected = log_scale.solve(is_grounded);
-      BOOST_TEST_REQUIRE(expected.has_value());
-      const double error = (u - *expected).cwiseAbs().maxCoeff();
-      BOOST_TEST(error <= 1e-10 * expected->cwiseAbs().maxCoeff(), surface.name << ", step " << step);
-    }
-  }
-  BOOST_TEST(calls.factorizations < predictions);
-}
-
 // Whether seams were predicted by updates or by one factorization for each terminal, they are the same. Where a surface
 // is symmetric, rounding does not choose the terminals.
 BOOST_AUTO_TEST_CASE(seams_do_not_depend_on_the_way_of_prediction)
@@ -167,14 +134,12 @@ BOOST_AUTO_TEST_CASE(seams_do_not_depend_on_the_way_of_prediction)
     const Seam_report report = TA::select_seams(mesh, updated, options);
     const Seam_report expected =
         TA::select_seams(mesh, anew, options, parameters::sparse_linear_solver(Forgetful_traits()));
-    BOOST_TEST_CONTEXT(surface.name)
-    {
-      BOOST_TEST_REQUIRE(expected.message == "");
-      BOOST_TEST(report.number_of_terminals == expected.number_of_terminals);
-      BOOST_TEST(report.predicted_stretch == expected.predicted_stretch, boost::test_tools::tolerance(1e-9));
-      BOOST_TEST(
-          std::all_of(mesh.edges_begin(), mesh.edges_end(), [&](Edge e) { return updated[e] == anew[e]; }));
-    }
+    BOOST_TEST_INFO_SCOPE(surface.name);
+    BOOST_TEST_REQUIRE(expected.message == "");
+    BOOST_TEST(report.number_of_terminals == expected.number_of_terminals);
+    BOOST_TEST(report.predicted_stretch == expected.predicted_stretch, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(
+        std::all_of(mesh.edges_begin(), mesh.edges_end(), [&](Edge e) { return updated[e] == anew[e]; }));
   }
 }
 
@@ -193,12 +158,10 @@ BOOST_AUTO_TEST_CASE(few_factorizations_for_many_terminals)
                            with<Seam_options>(&Seam_options::stretch_bound, 1.0001,
                                               &Seam_options::maximum_number_of_terminals, terminals),
                            parameters::sparse_linear_solver(Counting_traits(calls)));
-      BOOST_TEST_CONTEXT(surface.name << ", " << terminals << " terminals")
-      {
-        BOOST_TEST_REQUIRE(report.message == "");
-        BOOST_TEST(calls.factorizations >= 1);
-        BOOST_TEST(calls.factorizations <= (surface.handles == 0 && surface.borders == 1 ? 1 : 3));
-      }
+      BOOST_TEST_INFO_SCOPE(surface.name << ", " << terminals << " terminals");
+      BOOST_TEST_REQUIRE(report.message == "");
+      BOOST_TEST(calls.factorizations >= 1);
+      BOOST_TEST(calls.factorizations <= (surface.handles == 0 && surface.borders == 1 ? 1 : 3));
     }
 }
 
@@ -294,13 +257,11 @@ BOOST_AUTO_TEST_CASE(exchanges_are_those_of_searches)
       TA::internal::Sector_graph searched = opened;
       const bool is_shorter = TA::internal::Path_shortening(opened, part.cost, terminals).run(1000);
       exchanged += is_shorter;
-      BOOST_TEST_CONTEXT(surface.name << ", " << number << " terminals")
-      {
-        BOOST_TEST(TA::internal::Path_shortening(searched, part.cost, terminals, false).run(1000) ==
-                   is_shorter);
-        BOOST_TEST((marks(opened) == marks(searched)));
-        BOOST_TEST(TA::internal::leaves_disks(opened));
-      }
+      BOOST_TEST_INFO_SCOPE(surface.name << ", " << number << " terminals");
+      BOOST_TEST(TA::internal::Path_shortening(searched, part.cost, terminals, false).run(1000) ==
+                 is_shorter);
+      BOOST_TEST((marks(opened) == marks(searched)));
+      BOOST_TEST(TA::internal::leaves_disks(opened));
     }
   BOOST_TEST(exchanged > 10);
 }
@@ -318,25 +279,6 @@ BOOST_AUTO_TEST_CASE(visits_do_not_grow_with_terminals)
     BOOST_TEST(shortening.run(100));
     BOOST_TEST_CONTEXT(number << " terminals")
     BOOST_TEST(shortening.number_of_visits() < 12 * std::int64_t(part.chart.number_of_vertices()));
-  }
-}
-
-// Seams around a triangle make a disk of it, and one of the rest of a sphere.
-BOOST_AUTO_TEST_CASE(other_surfaces_than_disks_are_recognized)
-{
-  for(const Surface& surface :
-      {seam_surfaces::sphere(2), seam_surfaces::torus(6, 5), seam_surfaces::tube(5, 4),
-       seam_surfaces::sphere_with_holes(3, 1), seam_surfaces::sphere_with_holes(1, 1)}) {
-    const ABF::Surface_part part = part_of(surface.mesh(), 1);
-    TA::internal::Sector_graph opened(part.chart);
-    BOOST_TEST(TA::internal::leaves_disks(opened) == (surface.handles == 0 && surface.borders == 1),
-               surface.name);
-    if(surface.borders == 0) {
-      for(int c = 0; c < 3; ++c)
-        opened.set_seam(c, true);
-      BOOST_TEST(TA::internal::leaves_disks(opened) == (surface.handles == 0), surface.name);
-    }
-    BOOST_TEST(TA::internal::leaves_disks(disk(part)), surface.name);
   }
 }
 

@@ -26,12 +26,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <functional>
 #include <limits>
 #include <map>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_seams)
@@ -144,13 +142,11 @@ BOOST_AUTO_TEST_CASE(cuts_leave_disks_that_can_be_flattened)
   for(const Surface& surface : surfaces()) {
     Mesh mesh = surface.mesh();
     const Seam_map seams = add_seams(mesh);
-    BOOST_TEST_CONTEXT(surface.name)
-    {
-      const Seam_report report = TA::cut_to_disks(mesh, seams);
-      check_report(mesh, seams, report);
-      BOOST_TEST(report.number_of_components == 1u);
-      BOOST_TEST(std::isfinite(flattened_stretch(mesh, seams)));
-    }
+    BOOST_TEST_INFO_SCOPE(surface.name);
+    const Seam_report report = TA::cut_to_disks(mesh, seams);
+    check_report(mesh, seams, report);
+    BOOST_TEST(report.number_of_components == 1u);
+    BOOST_TEST(std::isfinite(flattened_stretch(mesh, seams)));
   }
 }
 
@@ -184,15 +180,13 @@ BOOST_AUTO_TEST_CASE(selected_seams_keep_the_bound)
   for(const Surface& surface : surfaces()) {
     Mesh mesh = surface.mesh();
     const Seam_map seams = add_seams(mesh);
-    BOOST_TEST_CONTEXT(surface.name)
-    {
-      const Seam_report report =
-          TA::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, 1.2));
-      check_report(mesh, seams, report);
-      BOOST_TEST(report.bound_reached);
-      BOOST_TEST(report.predicted_stretch <= 1.2);
-      BOOST_TEST(std::isfinite(flattened_stretch(mesh, seams)));
-    }
+    BOOST_TEST_INFO_SCOPE(surface.name);
+    const Seam_report report =
+        TA::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, 1.2));
+    check_report(mesh, seams, report);
+    BOOST_TEST(report.bound_reached);
+    BOOST_TEST(report.predicted_stretch <= 1.2);
+    BOOST_TEST(std::isfinite(flattened_stretch(mesh, seams)));
   }
 }
 
@@ -259,17 +253,15 @@ BOOST_AUTO_TEST_CASE(large_surfaces_with_handles_and_forbidden_edges)
                                                 : false;
         weights[e] = is_forbidden ? std::numeric_limits<double>::infinity() : length(mesh, e);
       }
-      BOOST_TEST_CONTEXT(surface.name << ", kind " << kind)
-      {
-        const Seam_report report =
-            TA::select_seams(mesh, seams, Seam_options(), parameters::edge_weight_map(weights));
-        check_report(mesh, seams, report);
-        for(Edge e : mesh.edges())
-          BOOST_TEST_REQUIRE(!(seams[e] && std::isinf(weights[e])));
-        BOOST_TEST(report.bound_reached == (report.predicted_stretch <= 1.1));
-        BOOST_TEST(flattened_stretch(mesh, seams) == report.predicted_stretch,
-                   boost::test_tools::tolerance(0.05));
-      }
+      BOOST_TEST_INFO_SCOPE(surface.name << ", kind " << kind);
+      const Seam_report report =
+          TA::select_seams(mesh, seams, Seam_options(), parameters::edge_weight_map(weights));
+      check_report(mesh, seams, report);
+      for(Edge e : mesh.edges())
+        BOOST_TEST_REQUIRE(!(seams[e] && std::isinf(weights[e])));
+      BOOST_TEST(report.bound_reached == (report.predicted_stretch <= 1.1));
+      BOOST_TEST(flattened_stretch(mesh, seams) == report.predicted_stretch,
+                 boost::test_tools::tolerance(0.05));
     }
 }
 
@@ -297,17 +289,14 @@ BOOST_AUTO_TEST_CASE(given_seams_are_kept)
     for(Edge e : mesh.edges())
       seams[e] = !mesh.is_border(e) && random() % 30 == 0;
     const std::vector<bool> given = marks(mesh, seams);
-    BOOST_TEST_CONTEXT("seed " << seed << ", " << surface.name)
-    {
-      const Seam_report report =
-          seed % 2 == 0 ? TA::cut_to_disks(mesh, seams) : TA::select_seams(mesh, seams);
-      BOOST_TEST(report.message == "");
-      const auto check = TA::is_disk_cut(mesh, seams);
-      BOOST_TEST(bool(check), check.message);
-      for(Edge e : mesh.edges())
-        if(given[e.idx()])
-          BOOST_TEST(seams[e]);
-    }
+    BOOST_TEST_INFO_SCOPE("seed " << seed << ", " << surface.name);
+    const Seam_report report = seed % 2 == 0 ? TA::cut_to_disks(mesh, seams) : TA::select_seams(mesh, seams);
+    BOOST_TEST(report.message == "");
+    const auto check = TA::is_disk_cut(mesh, seams);
+    BOOST_TEST(bool(check), check.message);
+    for(Edge e : mesh.edges())
+      if(given[e.idx()])
+        BOOST_TEST(seams[e]);
   }
 }
 
@@ -323,16 +312,14 @@ BOOST_AUTO_TEST_CASE(a_seam_of_one_edge_becomes_longer)
       const Seam_map seams = add_seams(mesh);
       const Edge given(static_cast<Mesh::size_type>(mesh.number_of_edges() / 2));
       seams[given] = true;
-      BOOST_TEST_CONTEXT(surface.name << ", kind " << kind)
-      {
-        BOOST_TEST(!TA::is_disk_cut(mesh, seams));
-        check_report(mesh, seams,
-                     kind == 0   ? TA::cut_to_disks(mesh, seams)
-                     : kind == 1 ? TA::select_seams(mesh, seams)
-                                 : TA::select_seams(mesh, seams,
-                                                    with<Seam_options>(&Seam_options::stretch_bound, 1000)));
-        BOOST_TEST(seams[given]);
-      }
+      BOOST_TEST_INFO_SCOPE(surface.name << ", kind " << kind);
+      BOOST_TEST(!TA::is_disk_cut(mesh, seams));
+      check_report(mesh, seams,
+                   kind == 0   ? TA::cut_to_disks(mesh, seams)
+                   : kind == 1 ? TA::select_seams(mesh, seams)
+                               : TA::select_seams(mesh, seams,
+                                                  with<Seam_options>(&Seam_options::stretch_bound, 1000)));
+      BOOST_TEST(seams[given]);
     }
 }
 
@@ -475,15 +462,13 @@ BOOST_AUTO_TEST_CASE(disks_are_counted)
     const Seam_report report = kind == 0   ? TA::shorten_seams(mesh, seams)
                                : kind == 1 ? TA::cut_to_disks(mesh, seams)
                                            : TA::select_seams(mesh, seams);
-    BOOST_TEST_CONTEXT("kind " << kind)
-    {
-      BOOST_TEST(report.message == "");
-      BOOST_TEST(report.number_of_components == 2u);
-      BOOST_TEST(report.number_of_disks == 3u);
-      const auto check = TA::is_disk_cut(mesh, seams);
-      BOOST_TEST(bool(check), check.message);
-      BOOST_TEST(check.parts.size() == report.number_of_disks);
-    }
+    BOOST_TEST_INFO_SCOPE("kind " << kind);
+    BOOST_TEST(report.message == "");
+    BOOST_TEST(report.number_of_components == 2u);
+    BOOST_TEST(report.number_of_disks == 3u);
+    const auto check = TA::is_disk_cut(mesh, seams);
+    BOOST_TEST(bool(check), check.message);
+    BOOST_TEST(check.parts.size() == report.number_of_disks);
   }
 }
 
@@ -566,13 +551,11 @@ BOOST_AUTO_TEST_CASE(degenerate_surfaces_are_cut)
         for(int i = 0; i < 20; ++i)
           mesh.point(Vertex(4 * i)) = mesh.point(Vertex(4 * i + 1));
       const Seam_map seams = add_seams(mesh);
-      BOOST_TEST_CONTEXT(surface.name << ", kind " << kind)
-      {
-        const Seam_report report = kind < 3 ? TA::select_seams(mesh, seams) : TA::cut_to_disks(mesh, seams);
-        BOOST_TEST(report.message == "");
-        const auto check = TA::is_disk_cut(mesh, seams);
-        BOOST_TEST(bool(check), check.message);
-      }
+      BOOST_TEST_INFO_SCOPE(surface.name << ", kind " << kind);
+      const Seam_report report = kind < 3 ? TA::select_seams(mesh, seams) : TA::cut_to_disks(mesh, seams);
+      BOOST_TEST(report.message == "");
+      const auto check = TA::is_disk_cut(mesh, seams);
+      BOOST_TEST(bool(check), check.message);
     }
 }
 

@@ -17,7 +17,6 @@
 #include <cstddef>
 #include <random>
 #include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_small_parts)
 

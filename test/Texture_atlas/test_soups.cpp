@@ -13,7 +13,6 @@
 #include <CGAL/Texture_atlas/make_atlas_of_soup.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>

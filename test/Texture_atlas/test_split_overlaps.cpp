@@ -39,7 +39,6 @@
 #include <limits>
 #include <map>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -430,19 +429,17 @@ BOOST_AUTO_TEST_CASE(spirals_over_themselves_are_cut_across)
   for(double turns : {1.125, 1.5, 1.875, 2.5, 3.25, 5.5, 9.75}) {
     Flat_mesh flat(helicoid(turns));
     const Overlap_split_report report = flat.split();
-    BOOST_TEST_CONTEXT(turns << " turns")
-    {
-      check_pieces(flat, report);
-      BOOST_TEST(report.number_of_pieces >= std::ceil(turns));
-      BOOST_TEST(report.number_of_pieces <= 2 * std::ceil(turns));
-      BOOST_TEST(report.added_seam_length < 1.1 * (report.number_of_pieces - 1));
-      BOOST_TEST(report.number_of_overlapping_faces == flat.overlapping().size());
-      double added = 0;
-      for(Edge e : flat.mesh.edges())
-        added += flat.seams[e] ? edge_length(flat.mesh, e) : 0;
-      BOOST_TEST(report.added_seam_length == added, boost::test_tools::tolerance(1e-12));
-      BOOST_TEST(report.extra_seam == 2 * added / report.border_length, boost::test_tools::tolerance(1e-12));
-    }
+    BOOST_TEST_INFO_SCOPE(turns << " turns");
+    check_pieces(flat, report);
+    BOOST_TEST(report.number_of_pieces >= std::ceil(turns));
+    BOOST_TEST(report.number_of_pieces <= 2 * std::ceil(turns));
+    BOOST_TEST(report.added_seam_length < 1.1 * (report.number_of_pieces - 1));
+    BOOST_TEST(report.number_of_overlapping_faces == flat.overlapping().size());
+    double added = 0;
+    for(Edge e : flat.mesh.edges())
+      added += flat.seams[e] ? edge_length(flat.mesh, e) : 0;
+    BOOST_TEST(report.added_seam_length == added, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(report.extra_seam == 2 * added / report.border_length, boost::test_tools::tolerance(1e-12));
   }
 }
 
@@ -473,11 +470,9 @@ BOOST_AUTO_TEST_CASE(vertices_are_gone_around_once)
   for(double turns : {1.25, 1.5, 2., 2.75, 3., 5.}) {
     Flat_mesh flat = fan(turns);
     const Overlap_split_report report = flat.split();
-    BOOST_TEST_CONTEXT(turns << " turns")
-    {
-      check_pieces(flat, report);
-      BOOST_TEST(report.number_of_pieces >= 2u);
-    }
+    BOOST_TEST_INFO_SCOPE(turns << " turns");
+    check_pieces(flat, report);
+    BOOST_TEST(report.number_of_pieces >= 2u);
   }
 }
 
@@ -490,15 +485,13 @@ BOOST_AUTO_TEST_CASE(pieces_of_random_disks_are_injective_disks)
     const test_charts::Random_disk disk(20 + static_cast<int>(seed % 80), 5 + static_cast<int>(seed % 20),
                                         random);
     Flat_mesh flat(disk.points(), disk.triangles());
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      const Overlap_split_report report = flat.split();
-      check_pieces(flat, report);
-      BOOST_TEST(report.number_of_overlapping_faces == flat.overlapping().size());
-      BOOST_TEST((report.number_of_pieces > 1) == (report.number_of_overlapping_faces > 0));
-      split += report.number_of_pieces > 1;
-      most = (std::max)(most, report.number_of_pieces);
-    }
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    const Overlap_split_report report = flat.split();
+    check_pieces(flat, report);
+    BOOST_TEST(report.number_of_overlapping_faces == flat.overlapping().size());
+    BOOST_TEST((report.number_of_pieces > 1) == (report.number_of_overlapping_faces > 0));
+    split += report.number_of_pieces > 1;
+    most = (std::max)(most, report.number_of_pieces);
   }
   BOOST_TEST(split > 200);
   BOOST_TEST(most > 5u);
@@ -512,18 +505,16 @@ BOOST_AUTO_TEST_CASE(charts_with_holes_and_several_components_are_split)
     std::mt19937 random(seed);
     const test_charts::Random_surface surface(8, 5, 25, random);
     Flat_mesh flat(surface.points(), surface.triangles());
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      std::size_t faces = 0;
-      const Overlap_split_report report = flat.split();
-      BOOST_TEST(report.message == "");
-      const auto check = TA::is_disk_cut(flat.mesh, flat.seams);
-      for(const auto& part : check.parts)
-        faces += part.number_of_faces;
-      BOOST_TEST(check.parts.size() == report.number_of_pieces);
-      BOOST_TEST(faces == flat.mesh.number_of_faces());
-      split += report.number_of_pieces > report.number_of_charts;
-    }
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    std::size_t faces = 0;
+    const Overlap_split_report report = flat.split();
+    BOOST_TEST(report.message == "");
+    const auto check = TA::is_disk_cut(flat.mesh, flat.seams);
+    for(const auto& part : check.parts)
+      faces += part.number_of_faces;
+    BOOST_TEST(check.parts.size() == report.number_of_pieces);
+    BOOST_TEST(faces == flat.mesh.number_of_faces());
+    split += report.number_of_pieces > report.number_of_charts;
   }
   BOOST_TEST(split > 50);
   for(const auto& [left, right] :
@@ -741,13 +732,11 @@ BOOST_AUTO_TEST_CASE(maps_of_real_surfaces_need_short_seams)
     BOOST_TEST_REQUIRE(SMP::parameterize(flat.mesh, parameterizer, border, map) == SMP::OK);
     for(Halfedge h : flat.mesh.halfedges())
       flat.uv[h] = map[flat.mesh.target(h)];
-    BOOST_TEST_CONTEXT(file)
-    {
-      const Overlap_split_report report = flat.split();
-      check_pieces(flat, report);
-      BOOST_TEST(report.number_of_pieces > 1u);
-      sum += report.extra_seam;
-    }
+    BOOST_TEST_INFO_SCOPE(file);
+    const Overlap_split_report report = flat.split();
+    check_pieces(flat, report);
+    BOOST_TEST(report.number_of_pieces > 1u);
+    sum += report.extra_seam;
   }
   BOOST_TEST(sum / static_cast<double>(files.size()) < 0.15);
 }

@@ -14,7 +14,6 @@
 #include <CGAL/Texture_atlas/symmetrize_seams.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -86,16 +85,14 @@ BOOST_AUTO_TEST_CASE(plane_of_symmetric_surfaces)
   for(unsigned seed = 1; seed <= 4; ++seed) {
     const Horned_ball ball(seed, true);
     const auto plane = TA::find_mirror_plane(ball.mesh);
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      BOOST_TEST(static_cast<bool>(plane));
-      BOOST_TEST(plane.deviation < 2e-3);
-      const Vector_3 n(plane.normal[0], plane.normal[1], plane.normal[2]);
-      BOOST_TEST(std::abs(n * ball.normal) > 1 - 1e-4);
-      BOOST_TEST(std::abs(plane.offset - (n * ball.normal > 0 ? 1 : -1) * ball.offset) < 0.1);
-      BOOST_TEST(n.squared_length() == 1, boost::test_tools::tolerance(1e-12));
-      BOOST_TEST((std::max)({n.x(), n.y(), n.z()}) >= -(std::min)({n.x(), n.y(), n.z()}));
-    }
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    BOOST_TEST(static_cast<bool>(plane));
+    BOOST_TEST(plane.deviation < 2e-3);
+    const Vector_3 n(plane.normal[0], plane.normal[1], plane.normal[2]);
+    BOOST_TEST(std::abs(n * ball.normal) > 1 - 1e-4);
+    BOOST_TEST(std::abs(plane.offset - (n * ball.normal > 0 ? 1 : -1) * ball.offset) < 0.1);
+    BOOST_TEST(n.squared_length() == 1, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST((std::max)({n.x(), n.y(), n.z()}) >= -(std::min)({n.x(), n.y(), n.z()}));
   }
 }
 
@@ -115,19 +112,17 @@ BOOST_AUTO_TEST_CASE(seams_become_symmetric)
       TA::select_seams(ball.mesh, seams);
       const auto before = TA::measure_symmetry(ball.mesh, seams, plane);
       const auto after = TA::symmetrize_seams(ball.mesh, seams, plane, is_upper_side);
-      BOOST_TEST_CONTEXT("seed " << seed << " " << is_upper_side)
-      {
-        BOOST_TEST(static_cast<bool>(before));
-        BOOST_TEST(static_cast<bool>(after));
-        BOOST_TEST(before.asymmetry > 0.02);
-        BOOST_TEST(after.asymmetry < 0.01);
-        BOOST_TEST(after.seam_length > 0);
-        const auto measured = TA::measure_symmetry(ball.mesh, seams, plane);
-        BOOST_TEST(measured.asymmetry == after.asymmetry);
-        BOOST_TEST(measured.seam_length == after.seam_length);
-        BOOST_TEST(static_cast<bool>(TA::cut_to_disks(ball.mesh, seams)));
-        BOOST_TEST(static_cast<bool>(TA::is_disk_cut(ball.mesh, seams)));
-      }
+      BOOST_TEST_INFO_SCOPE("seed " << seed << " " << is_upper_side);
+      BOOST_TEST(static_cast<bool>(before));
+      BOOST_TEST(static_cast<bool>(after));
+      BOOST_TEST(before.asymmetry > 0.02);
+      BOOST_TEST(after.asymmetry < 0.01);
+      BOOST_TEST(after.seam_length > 0);
+      const auto measured = TA::measure_symmetry(ball.mesh, seams, plane);
+      BOOST_TEST(measured.asymmetry == after.asymmetry);
+      BOOST_TEST(measured.seam_length == after.seam_length);
+      BOOST_TEST(static_cast<bool>(TA::cut_to_disks(ball.mesh, seams)));
+      BOOST_TEST(static_cast<bool>(TA::is_disk_cut(ball.mesh, seams)));
     }
   }
 }

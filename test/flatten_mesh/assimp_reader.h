@@ -14,7 +14,6 @@
 #include <assimp/material.h>
 #include <assimp/scene.h>
 
-#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,9 +23,8 @@ inline std::vector<Read_face> faces_by_assimp(const std::string& name)
 {
   Assimp::Importer importer;
   const aiScene* const scene = importer.ReadFile(name, 0);
-  if(scene == nullptr) {
+  if(scene == nullptr)
     throw std::runtime_error(importer.GetErrorString());
-  }
   std::vector<Read_face> faces;
   for(unsigned m = 0; m < scene->mNumMeshes; ++m) {
     const aiMesh& mesh = *scene->mMeshes[m];
@@ -37,15 +35,12 @@ inline std::vector<Read_face> faces_by_assimp(const std::string& name)
         const unsigned v = mesh.mFaces[f].mIndices[i];
         Read_corner corner;
         corner.point = {mesh.mVertices[v].x, mesh.mVertices[v].y, mesh.mVertices[v].z};
-        if(mesh.HasTextureCoords(0)) {
+        if(mesh.HasTextureCoords(0))
           corner.uv = {mesh.mTextureCoords[0][v].x, mesh.mTextureCoords[0][v].y};
-        }
-        if(mesh.HasNormals()) {
+        if(mesh.HasNormals())
           corner.normal = {mesh.mNormals[v].x, mesh.mNormals[v].y, mesh.mNormals[v].z};
-        }
-        if(mesh.HasVertexColors(0)) {
+        if(mesh.HasVertexColors(0))
           corner.color = {mesh.mColors[0][v].r, mesh.mColors[0][v].g, mesh.mColors[0][v].b};
-        }
         face.corners.push_back(corner);
       }
       faces.push_back(face);

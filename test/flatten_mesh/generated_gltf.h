@@ -25,12 +25,10 @@ inline std::string base64(const std::string& bytes)
   std::string text;
   for(std::size_t i = 0; i < bytes.size(); i += 3) {
     std::uint32_t group = 0;
-    for(std::size_t k = 0; k < 3; ++k) {
+    for(std::size_t k = 0; k < 3; ++k)
       group = group << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-    }
-    for(std::size_t k = 0; k < 4; ++k) {
+    for(std::size_t k = 0; k < 4; ++k)
       text += i + k > bytes.size() ? '=' : digits[group >> (18 - 6 * k) & 63];
-    }
   }
   return text;
 }
@@ -102,9 +100,8 @@ private:
   static std::string list(const std::vector<std::string>& items)
   {
     std::string text;
-    for(const std::string& item : items) {
+    for(const std::string& item : items)
       text += (text.empty() ? "" : ",") + item;
-    }
     return "[" + text + "]";
   }
 
@@ -139,12 +136,10 @@ struct Ball
     for(std::uint32_t i = 0; i < n; ++i) {
       for(std::uint32_t j = 0; j < m; ++j) {
         const std::uint32_t a = i * (m + 1) + j, b = a + 1, c = a + m + 1, d = c + 1;
-        if(i > 0) {
+        if(i > 0)
           triangles.insert(triangles.end(), {a, b, c});
-        }
-        if(i + 1 < n) {
+        if(i + 1 < n)
           triangles.insert(triangles.end(), {b, d, c});
-        }
       }
     }
   }

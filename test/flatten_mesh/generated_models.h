@@ -46,11 +46,9 @@ struct Model
   std::vector<Polygon> polygons() const
   {
     std::vector<Polygon> result;
-    for(const Line& line : lines) {
-      if(line.statement.empty()) {
+    for(const Line& line : lines)
+      if(line.statement.empty())
         result.push_back(line.polygon);
-      }
-    }
     return result;
   }
 };
@@ -82,33 +80,28 @@ inline Model strip(const unsigned seed, const Kinds& kinds = {})
   Model model;
   const auto add_point = [&](const double x, const double y) {
     model.points.push_back({x + 0.1 * random.number(), y + 0.1 * random.number(), 0.3 * random.number()});
-    if(kinds.has_colors) {
+    if(kinds.has_colors)
       model.colors.push_back({random.number() + 0.5, random.number() + 0.5, random.number() + 0.5});
-    }
     return static_cast<int>(model.points.size()) - 1;
   };
-  for(int i = 0; kinds.has_normals && i < 20; ++i) {
+  for(int i = 0; kinds.has_normals && i < 20; ++i)
     model.normals.push_back({random.number(), random.number(), 1});
-  }
   const std::array<const char*, 8> statements = {"g left side", "g",   "o second object", "usemtl red paint",
                                                  "usemtl blue", "s 1", "s off",           "g right"};
   std::vector<int> last_texture; // of the corners at the last side
   int low = add_point(0, 0), high = add_point(0, 1);
   double x = 0;
   model.lines.push_back({"mtllib paint.mtl", {}});
-  if(kinds.is_complete) {
+  if(kinds.is_complete)
     model.lines.push_back({"usemtl blue", {}});
-  }
   for(int k = 0; k < 24; ++k) {
-    if(k % 3 == 0) {
+    if(k % 3 == 0)
       model.lines.push_back({statements[static_cast<std::size_t>(k / 3)], {}});
-    }
     const int size = 3 + random.below(6), next_high = size == 3 ? high : -1;
     Polygon polygon = {{low}, {add_point(x + 1, 0)}};
     std::vector<int> top;
-    for(int i = 0; i < size - 3; ++i) {
+    for(int i = 0; i < size - 3; ++i)
       polygon.push_back({add_point(x + 1 - (i + 0.01) / (size - 3), 1 + 0.3 * random.below(2) * (i > 0))});
-    }
     polygon.push_back({high});
     const bool has_texture = kinds.has_texture && (kinds.is_complete || k % 8 != 7), is_seam = k % 5 == 0;
     for(std::size_t i = 0; i < polygon.size(); ++i) {
@@ -122,9 +115,8 @@ inline Model strip(const unsigned seed, const Kinds& kinds = {})
           model.texture.push_back({random.number() + 0.5, random.number() + 0.5});
         }
       }
-      if(kinds.has_normals && (kinds.is_complete || k % 6 != 5)) {
+      if(kinds.has_normals && (kinds.is_complete || k % 6 != 5))
         corner.normal = random.below(20);
-      }
     }
     low = polygon[1].vertex;
     high = next_high == -1 ? polygon[2].vertex : next_high;
@@ -159,9 +151,8 @@ inline std::string obj_text(const Model& model, const unsigned seed)
   };
   for(std::size_t v = 0; v < model.points.size(); ++v) {
     append_numbers(text, "v", model.points[v].data(), 3);
-    if(!model.colors.empty()) {
+    if(!model.colors.empty())
       append_numbers(text, "", model.colors[v].data(), 3);
-    }
     end_line();
   }
   for(const auto& uv : model.texture) {
@@ -181,12 +172,10 @@ inline std::string obj_text(const Model& model, const unsigned seed)
     for(const Corner& corner : line.polygon) {
       text += random.below(9) == 0 ? (is_dos ? " \\\r\n" : " \\\n") : random.below(2) == 0 ? "\t" : " ";
       text += number(corner.vertex, model.points.size());
-      if(corner.texture >= 0 || corner.normal >= 0) {
+      if(corner.texture >= 0 || corner.normal >= 0)
         text += "/" + (corner.texture < 0 ? "" : number(corner.texture, model.texture.size()));
-      }
-      if(corner.normal >= 0) {
+      if(corner.normal >= 0)
         text += "/" + number(corner.normal, model.normals.size());
-      }
     }
     end_line();
   }

@@ -43,9 +43,8 @@ public:
   double gaussian()
   {
     double sum = -6;
-    for(int i = 0; i < 12; ++i) {
+    for(int i = 0; i < 12; ++i)
       sum += unit();
-    }
     return sum;
   }
 
@@ -95,16 +94,13 @@ public:
   explicit Animal(const unsigned seed, const double noise) : m_random(seed), m_noise(noise)
   {
     add_box({0, 0, 2}, {5, 3, 4});
-    for(const int x : {0, 4}) {
-      for(const int y : {0, 2}) {
+    for(const int x : {0, 4})
+      for(const int y : {0, 2})
         add_box({x, y, 0}, {x + 1, y + 1, 2});
-      }
-    }
     add_box({5, 1, 3}, {7, 2, 5});
     add_box({-2, 1, 3}, {0, 2, 4});
-    for(const Cell& cell : m_cells) {
+    for(const Cell& cell : m_cells)
       add_sides(cell);
-    }
     polygons.push_back({vertex({1, 0, 4}), vertex({2, 0, 4}), vertex({3, 0, 4}), vertex({3, 1, 4}),
                         vertex({2, 1, 4}), vertex({2, 2, 4}), vertex({1, 2, 4}), vertex({1, 1, 4})});
   }
@@ -114,14 +110,12 @@ public:
   {
     std::ostringstream text;
     text.precision(17);
-    for(const Point& p : points) {
+    for(const Point& p : points)
       text << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
-    }
     for(const std::vector<std::size_t>& polygon : polygons) {
       text << 'f';
-      for(const std::size_t v : polygon) {
+      for(const std::size_t v : polygon)
         text << ' ' << v + 1;
-      }
       text << '\n';
     }
     return text.str();
@@ -136,11 +130,9 @@ private:
   void add_box(const Cell& low, const Cell& high)
   {
     for(int x = low[0]; x < high[0]; ++x) {
-      for(int y = low[1]; y < high[1]; ++y) {
-        for(int z = low[2]; z < high[2]; ++z) {
+      for(int y = low[1]; y < high[1]; ++y)
+        for(int z = low[2]; z < high[2]; ++z)
           m_cells.insert({x, y, z});
-        }
-      }
     }
   }
 
@@ -166,9 +158,8 @@ private:
       for(const int step : {-1, 1}) {
         Cell beside = cell;
         beside[axis] += step;
-        if(m_cells.count(beside) > 0 || is_on_back(cell, axis, step)) {
+        if(m_cells.count(beside) > 0 || is_on_back(cell, axis, step))
           continue;
-        }
         std::vector<std::size_t> side;
         for(const auto& [u, v] : std::vector<std::pair<int, int>>{{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
           Cell corner = cell;

@@ -42,9 +42,8 @@ struct Left_out
 inline bool is_same_face(const Read_face& a, const Read_face& b, const double tolerance,
                          const Left_out& left_out)
 {
-  if(a.corners.size() != b.corners.size() || (!left_out.material && a.material != b.material)) {
+  if(a.corners.size() != b.corners.size() || (!left_out.material && a.material != b.material))
     return false;
-  }
   // the same corners in the same order, from any first one
   for(std::size_t shift = 0; shift < a.corners.size(); ++shift) {
     bool is_same = true;
@@ -54,9 +53,8 @@ inline bool is_same_face(const Read_face& a, const Read_face& b, const double to
                 (left_out.normal || is_near(c.normal, d.normal, tolerance)) &&
                 (left_out.color || is_near(c.color, d.color, tolerance));
     }
-    if(is_same) {
+    if(is_same)
       return true;
-    }
   }
   return false;
 }
@@ -69,11 +67,9 @@ inline std::size_t missing_faces(const std::vector<Read_face>& expected, const s
   std::size_t missing = 0;
   for(const Read_face& face : expected) {
     bool is_found = false;
-    for(std::size_t i = 0; i < found.size() && !is_found; ++i) {
-      if(!is_taken[i] && is_same_face(face, found[i], tolerance, left_out)) {
+    for(std::size_t i = 0; i < found.size() && !is_found; ++i)
+      if(!is_taken[i] && is_same_face(face, found[i], tolerance, left_out))
         is_taken[i] = is_found = true;
-      }
-    }
     missing += !is_found;
   }
   return missing + static_cast<std::size_t>(std::count(is_taken.begin(), is_taken.end(), false));

@@ -48,9 +48,8 @@ inline std::vector<Textured_face> read_textured(const std::string& file)
         const Kernel::Point_3& point = model.points[model.vertices[c]];
         face.points.push_back(
             {static_cast<float>(point.x()), static_cast<float>(point.y()), static_cast<float>(point.z())});
-        if(const Index t = model.texture_point(c); t != no_index) {
+        if(const Index t = model.texture_point(c); t != no_index)
           face.uv.push_back({model.texture[t].x(), model.texture[t].y()});
-        }
       }
       faces.push_back(face);
     }
@@ -62,18 +61,16 @@ inline std::vector<Textured_face> read_textured(const std::string& file)
 inline std::multiset<std::multiset<std::array<float, 3>>> corners_of(const std::vector<Textured_face>& faces)
 {
   std::multiset<std::multiset<std::array<float, 3>>> result;
-  for(const Textured_face& face : faces) {
+  for(const Textured_face& face : faces)
     result.emplace(face.points.begin(), face.points.end());
-  }
   return result;
 }
 
 inline std::vector<std::vector<std::array<double, 2>>> texture_of(const std::vector<Textured_face>& faces)
 {
   std::vector<std::vector<std::array<double, 2>>> texture;
-  for(const Textured_face& face : faces) {
+  for(const Textured_face& face : faces)
     texture.push_back(face.uv);
-  }
   return texture;
 }
 
@@ -101,9 +98,8 @@ inline double signed_area(const std::array<double, 2>& p, const std::array<doubl
 inline double planar_area(const std::vector<Textured_face>& faces)
 {
   double sum = 0;
-  for(const Textured_face& face : faces) {
+  for(const Textured_face& face : faces)
     sum += face.uv.empty() ? 0 : signed_area(face.uv[0], face.uv[1], face.uv[2]) / 2;
-  }
   return sum;
 }
 
@@ -113,9 +109,8 @@ inline std::size_t number_of_shared_texels(const std::vector<Textured_face>& fac
   std::vector<int> count(static_cast<std::size_t>(n * n), 0);
   const double tolerance = 1e-9; // of coordinates of type `float`, squared
   for(const Textured_face& face : faces) {
-    if(face.uv.empty()) {
+    if(face.uv.empty())
       continue;
-    }
     const auto place = [n](const double x) {
       return (std::min)((std::max)(static_cast<int>(n * x), 0), n - 1);
     };
@@ -125,9 +120,8 @@ inline std::size_t number_of_shared_texels(const std::vector<Textured_face>& fac
       for(int j = place(y_low); j <= place(y_high); ++j) {
         const std::array<double, 2> centre = {(i + 0.5) / n, (j + 0.5) / n};
         bool is_inside = true;
-        for(std::size_t k = 0; k < 3; ++k) {
+        for(std::size_t k = 0; k < 3; ++k)
           is_inside = is_inside && signed_area(face.uv[k], face.uv[(k + 1) % 3], centre) > tolerance;
-        }
         count[static_cast<std::size_t>(i * n + j)] += is_inside;
       }
     }

@@ -54,9 +54,8 @@ std::vector<Number> array_of_page(const std::string& page, const std::string& na
   const std::string bytes = bytes_of_base64(element_of_page(page, "array-" + name));
   BOOST_TEST_REQUIRE(bytes.size() % sizeof(Number) == 0u);
   std::vector<Number> numbers(bytes.size() / sizeof(Number));
-  if(!numbers.empty()) {
+  if(!numbers.empty())
     std::memcpy(numbers.data(), bytes.data(), bytes.size());
-  }
   return numbers;
 }
 
@@ -88,9 +87,8 @@ struct Report_page
     faces = array_of_page<std::uint32_t>(page, "faces");
     borders = array_of_page<std::uint32_t>(page, "borders");
     charts = array_of_page<std::int32_t>(page, "charts");
-    for(std::size_t i = 0; i < 3; ++i) {
+    for(std::size_t i = 0; i < 3; ++i)
       measures[i] = array_of_page<float>(page, names_of_measures()[i]);
-    }
     check_sizes();
   }
 
@@ -109,7 +107,7 @@ struct Report_page
     return {p[0], p[1], p[2]};
   }
 
-  std::array<double, 2> uv(const std::size_t corner) const
+  std::complex<double> uv(const std::size_t corner) const
   {
     const float* p = &wedge_uv[2 * triangles[corner]];
     return {p[0], p[1]};
@@ -130,7 +128,7 @@ struct Report_page
   double planar_area(const std::size_t t) const
   {
     const auto a = uv(3 * t), b = uv(3 * t + 1), c = uv(3 * t + 2);
-    return ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+    return std::imag(std::conj(b - a) * (c - a)) / 2;
   }
 
 private:
@@ -144,9 +142,8 @@ private:
     BOOST_TEST_REQUIRE(wedge_uv.size() == 2 * wedge_points.size());
     BOOST_TEST_REQUIRE(points.size() % 3 == 0u);
     BOOST_TEST_REQUIRE(borders.size() % 3 == 0u);
-    for(const std::vector<float>& values : measures) {
+    for(const std::vector<float>& values : measures)
       BOOST_TEST_REQUIRE(values.size() == n);
-    }
     const auto all = [](const auto& values, const auto& condition) {
       return std::all_of(values.begin(), values.end(), condition);
     };

@@ -23,6 +23,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <complex>
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
@@ -30,9 +31,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <limits>
 #include <map>
-#include <ostream>
 #include <random>
 #include <set>
 #include <sstream>
@@ -74,21 +73,28 @@ inline Lines lines_of(const std::string& text)
 {
   Lines lines;
   std::istringstream stream(text);
-  for(std::string line; std::getline(stream, line);) {
+  for(std::string line; std::getline(stream, line);)
     lines.push_back(line);
-  }
   return lines;
+}
+
+// What is between the bars of a text
+inline Lines parts_of(const std::string& text)
+{
+  Lines parts;
+  std::istringstream stream(text);
+  for(std::string part; std::getline(stream, part, '|');)
+    parts.push_back(part);
+  return parts;
 }
 
 // The lines that begin with a word, without it.
 inline Lines lines_with(const std::string& text, const std::string& word)
 {
   Lines result;
-  for(const std::string& line : lines_of(text)) {
-    if(line.compare(0, word.size() + 1, word + " ") == 0) {
+  for(const std::string& line : lines_of(text))
+    if(line.compare(0, word.size() + 1, word + " ") == 0)
       result.push_back(line.substr(word.size() + 1));
-    }
-  }
   return result;
 }
 
@@ -137,9 +143,8 @@ struct Folder : Temporary_folder
     BOOST_TEST(status == 2);
     BOOST_TEST(lines_of(standard_error).size() == 1u, standard_error);
     BOOST_TEST(standard_output == "");
-    for(const std::string& word : words) {
+    for(const std::string& word : words)
       BOOST_TEST((standard_error.find(word) != std::string::npos), standard_error << " lacks " << word);
-    }
     if(asks_for_json) {
       BOOST_TEST(json().get<std::string>("status") != "OK");
       BOOST_TEST((standard_error.find(json().get<std::string>("message")) != std::string::npos));
@@ -159,6 +164,12 @@ struct Folder : Temporary_folder
   void check_told(const std::string& word) const
   {
     BOOST_TEST((standard_error.find(word) != std::string::npos), standard_error << " lacks " << word);
+  }
+
+  void check_printed(const std::string& word, const bool is_printed = true) const
+  {
+    BOOST_TEST((standard_output.find(word) != std::string::npos) == is_printed,
+               standard_output << (is_printed ? " lacks " : " has ") << word);
   }
 
   // Whether the map does so and was not split
@@ -184,11 +195,52 @@ struct Folder : Temporary_folder
     };
     lines.erase(std::remove_if(lines.begin(), lines.end(), is_of_polygons), lines.end());
     BOOST_TEST(lines.size() == static_cast<std::size_t>(is_stretched()) + overlaps(), standard_error);
-    if(overlaps()) {
+    if(overlaps())
       check_told("the map overlaps itself: --injective");
-    }
     BOOST_TEST(json().get<std::string>("status") == "OK");
     BOOST_TEST(json().get<int>("flipped_triangles") == 0);
+  }
+
+  std::size_t unfinished_files() const
+  {
+    const fs::directory_iterator entries(path);
+    return static_cast<std::size_t>(
+        std::count_if(begin(entries), end(entries), [](const fs::directory_entry& entry) {
+          return entry.path().extension() == ".unfinished";
+        }));
+  }
+
+  // The program waits for a reader of a pipe. Its first file then exists under a temporary name.
+  pid_t waiting_process(const std::string& input) const
+  {
+    BOOST_REQUIRE(::mkfifo(file("pipe").c_str(), 0600) == 0);
+    const std::size_t before = unfinished_files();
+    int steady = 0; // for how long
+    const pid_t process = ::fork();
+    if(process == 0) {
+      ::execl(program().c_str(), "flatten_mesh", input.c_str(), "--output", file("flat.obj").c_str(), "--svg",
+              file("pipe").c_str(), common_options.empty() ? nullptr : "--plain",
+              static_cast<char*>(nullptr));
+      ::_exit(127);
+    }
+    for(int i = 0; i < 3000 && steady < 20; ++i) { // before it reads, it only tries the names
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      steady = unfinished_files() > before ? steady + 1 : 0;
+    }
+    BOOST_TEST(unfinished_files() == before + 1);
+    return process;
+  }
+
+  // Nothing is left of a process that is interrupted.
+  void check_interrupted(const std::string& input) const
+  {
+    const pid_t process = waiting_process(input);
+    ::kill(process, SIGTERM);
+    int result = 0;
+    ::waitpid(process, &result, 0);
+    BOOST_TEST(WIFSIGNALED(result));
+    BOOST_TEST(WTERMSIG(result) == SIGTERM);
+    check_nothing_is_left();
   }
 
   std::string common_options; // with a blank behind
@@ -212,11 +264,9 @@ struct Sheet
   std::string points() const
   {
     std::ostringstream text;
-    for(int j = 0; j <= rows; ++j) {
-      for(int i = 0; i <= columns; ++i) {
+    for(int j = 0; j <= rows; ++j)
+      for(int i = 0; i <= columns; ++i)
         text << shift + i + 0.1 * (j % 2) << ' ' << j << ' ' << 0.05 * i * i + 0.03 * i * j << '\n';
-      }
-    }
     return text.str();
   }
 
@@ -244,9 +294,8 @@ inline std::string face_lines(const std::vector<std::vector<int>>& faces)
   std::ostringstream text;
   for(const std::vector<int>& face : faces) {
     text << face.size();
-    for(const int v : face) {
+    for(const int v : face)
       text << ' ' << v;
-    }
     text << '\n';
   }
   return text.str();
@@ -341,18 +390,16 @@ private:
     const auto a = static_cast<std::size_t>(axis), b = (a + 1) % 3, c = (a + 2) % 3;
     std::array<int, 3> other = cube, corner = cube;
     other[a] += 2 * side - 1;
-    if(is_full(other[0], other[1], other[2])) {
+    if(is_full(other[0], other[1], other[2]))
       return;
-    }
     corner[a] += side;
     std::vector<int> face;
     for(const auto& step : {std::array<int, 2>{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
       std::array<int, 3> place = corner;
       place[b] += step[side == 1 ? 0 : 1];
       place[c] += step[side == 1 ? 1 : 0];
-      if(vertex(place) == static_cast<int>(places.size())) {
+      if(vertex(place) == static_cast<int>(places.size()))
         places.push_back(place);
-      }
       face.push_back(vertex(place));
     }
     if(triangulated) {
@@ -423,9 +470,8 @@ struct Collection
   void add(const int n, const std::string& more_points, const std::vector<std::vector<int>>& more_faces)
   {
     for(std::vector<int> face : more_faces) {
-      for(int& v : face) {
+      for(int& v : face)
         v += vertices;
-      }
       faces.push_back(face);
     }
     vertices += n;
@@ -436,9 +482,8 @@ struct Collection
   {
     const Lines lines = lines_of(block.text());
     std::string more;
-    for(std::size_t v = 0; v < block.places.size(); ++v) {
+    for(std::size_t v = 0; v < block.places.size(); ++v)
       more += lines[2 + v] + "\n";
-    }
     add(static_cast<int>(block.places.size()), more, block.faces);
   }
 
@@ -451,9 +496,8 @@ struct Collection
 inline std::string path_line(const std::vector<int>& path)
 {
   std::string line;
-  for(std::size_t i = 0; i + 1 < path.size(); ++i) {
+  for(std::size_t i = 0; i + 1 < path.size(); ++i)
     line += std::to_string(path[i]) + " " + std::to_string(path[i + 1]) + " ";
-  }
   return "\n\n" + line + "\n";
 }
 
@@ -463,55 +507,9 @@ inline Edges edges_in(const std::string& selection)
 {
   Edges edges;
   std::istringstream words(selection);
-  for(int v = 0, w = 0; words >> v >> w;) {
+  for(int v = 0, w = 0; words >> v >> w;)
     edges.insert(std::minmax(v, w));
-  }
   return edges;
-}
-
-// The edges of an OBJ text whose two sides have different texture coordinates.
-inline Edges edges_with_two_textures(const std::string& text)
-{
-  std::map<std::pair<int, int>, std::pair<std::string, std::string>> sides;
-  for(const std::string& line : lines_with(text, "f")) {
-    std::vector<std::pair<int, std::string>> corners;
-    std::istringstream words(line);
-    for(std::string word; words >> word;) {
-      const std::size_t slash = word.find('/');
-      corners.emplace_back(std::stoi(word) - 1, slash == std::string::npos ? "" : word.substr(slash));
-    }
-    for(std::size_t i = 0; i < corners.size(); ++i) {
-      const auto& [v, texture] = corners[i];
-      const auto& [w, next_texture] = corners[(i + 1) % corners.size()];
-      sides[{v, w}] = {texture, next_texture};
-    }
-  }
-  Edges edges;
-  for(const auto& [side, textures] : sides) {
-    const auto other = sides.find({side.second, side.first});
-    if(other != sides.end() &&
-       (other->second.first != textures.second || other->second.second != textures.first)) {
-      edges.insert(std::minmax(side.first, side.second));
-    }
-  }
-  return edges;
-}
-
-// The vertices of the faces in an OBJ text, from 0, and whether all of them have texture coordinates.
-inline std::vector<std::vector<int>> obj_faces(const std::string& text, std::vector<bool>& has_texture)
-{
-  std::vector<std::vector<int>> faces;
-  has_texture.clear();
-  for(const std::string& line : lines_with(text, "f")) {
-    std::istringstream words(line);
-    faces.emplace_back();
-    has_texture.push_back(true);
-    for(std::string word; words >> word;) {
-      faces.back().push_back(std::stoi(word) - 1);
-      has_texture.back() = has_texture.back() && word.find('/') != std::string::npos;
-    }
-  }
-  return faces;
 }
 
 inline std::vector<double> numbers(const Lines& lines)
@@ -519,11 +517,112 @@ inline std::vector<double> numbers(const Lines& lines)
   std::vector<double> result;
   for(const std::string& line : lines) {
     std::istringstream words(line);
-    for(double number; words >> number;) {
+    for(double number; words >> number;)
       result.push_back(number);
-    }
   }
   return result;
+}
+
+// A corner of a face in an OBJ text, with numbers from 0; `texture` is -1 where it has no texture coordinates
+struct Obj_corner
+{
+  int vertex = -1, texture = -1;
+  std::array<double, 3> point = {};
+  std::complex<double> uv;
+};
+
+using Obj_faces = std::vector<std::vector<Obj_corner>>;
+
+inline Obj_faces corners_of(const std::string& obj)
+{
+  const Lines points = lines_with(obj, "v");
+  const std::vector<double> texture = numbers(lines_with(obj, "vt"));
+  Obj_faces faces;
+  for(const std::string& line : lines_with(obj, "f")) {
+    std::istringstream words(line);
+    faces.emplace_back();
+    for(std::string word; words >> word;) {
+      Obj_corner& corner = faces.back().emplace_back();
+      corner.vertex = std::stoi(word) - 1;
+      const std::vector<double> point = numbers({points.at(static_cast<std::size_t>(corner.vertex))});
+      std::copy_n(point.begin(), 3, corner.point.begin());
+      const std::size_t slash = word.find('/');
+      if(slash != std::string::npos && slash + 1 < word.size() && word[slash + 1] != '/') {
+        corner.texture = std::stoi(word.substr(slash + 1)) - 1;
+        const auto i = 2 * static_cast<std::size_t>(corner.texture);
+        corner.uv = {texture.at(i), texture.at(i + 1)};
+      }
+    }
+  }
+  return faces;
+}
+
+// The vertices of the faces in an OBJ text, and whether all of them have texture coordinates
+inline std::vector<std::vector<int>> obj_faces(const std::string& text, std::vector<bool>& has_texture)
+{
+  std::vector<std::vector<int>> faces;
+  has_texture.clear();
+  for(const std::vector<Obj_corner>& face : corners_of(text)) {
+    faces.emplace_back();
+    has_texture.push_back(true);
+    for(const Obj_corner& corner : face) {
+      faces.back().push_back(corner.vertex);
+      has_texture.back() = has_texture.back() && corner.texture >= 0;
+    }
+  }
+  return faces;
+}
+
+// Of each face with texture coordinates: these. Other faces have none.
+inline std::vector<std::vector<std::array<double, 2>>> texture_of_faces(const std::string& text)
+{
+  std::vector<std::vector<std::array<double, 2>>> faces;
+  for(const std::vector<Obj_corner>& face : corners_of(text)) {
+    faces.emplace_back();
+    for(const Obj_corner& corner : face)
+      if(corner.texture >= 0)
+        faces.back().push_back({corner.uv.real(), corner.uv.imag()});
+  }
+  return faces;
+}
+
+// Of the edges whose two sides have different texture coordinates: the quotient of the sides
+inline std::map<std::pair<int, int>, std::complex<double>> seams_of(const std::string& obj)
+{
+  typedef std::pair<Obj_corner, Obj_corner> Side;
+  std::map<std::pair<int, int>, Side> sides;
+  for(const std::vector<Obj_corner>& face : corners_of(obj)) {
+    for(std::size_t i = 0; i < face.size(); ++i) {
+      const Obj_corner &a = face[i], &b = face[(i + 1) % face.size()];
+      sides[{a.vertex, b.vertex}] = {a, b};
+    }
+  }
+  std::map<std::pair<int, int>, std::complex<double>> seams;
+  for(const auto& [edge, side] : sides) {
+    const auto other = sides.find({edge.second, edge.first});
+    if(edge.first < edge.second && other != sides.end() &&
+       (other->second.first.texture != side.second.texture ||
+        other->second.second.texture != side.first.texture))
+      seams[edge] = (other->second.first.uv - other->second.second.uv) / (side.second.uv - side.first.uv);
+  }
+  return seams;
+}
+
+inline Edges edges_with_two_textures(const std::string& obj)
+{
+  Edges edges;
+  for(const auto& seam : seams_of(obj))
+    edges.insert(seam.first);
+  return edges;
+}
+
+// The largest |logarithm| of the ratio of the lengths of both sides of a seam
+inline double largest_seam_jump(const std::string& obj)
+{
+  double largest = 0;
+  for(const auto& seam : seams_of(obj))
+    largest = (std::max)(largest, std::abs(std::log(std::abs(seam.second))));
+  return largest;
 }
 
 template <class Number>
@@ -541,14 +640,12 @@ inline std::string ply(const std::vector<float>& coordinates, const std::vector<
       "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(coordinates.size() / 3) +
       "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
       std::to_string(triangles.size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
-  for(const float x : coordinates) {
+  for(const float x : coordinates)
     append_binary(text, x);
-  }
   for(const std::vector<int>& triangle : triangles) {
     append_binary(text, static_cast<std::uint8_t>(triangle.size()));
-    for(const int v : triangle) {
+    for(const int v : triangle)
       append_binary(text, static_cast<std::int32_t>(v));
-    }
   }
   return text;
 }
@@ -565,9 +662,8 @@ inline std::string stl(const Sheet& sheet)
   std::string text = "solid sheet\n";
   for(const std::vector<int>& face : sheet.faces()) {
     text += "facet normal 0 0 1\nouter loop\n";
-    for(const int v : face) {
+    for(const int v : face)
       text += "vertex " + points[static_cast<std::size_t>(v)] + "\n";
-    }
     text += "endloop\nendfacet\n";
   }
   return text + "endsolid sheet\n";
@@ -576,14 +672,12 @@ inline std::string stl(const Sheet& sheet)
 inline std::string obj_input(const Sheet& sheet)
 {
   std::string text = "# sheet\no sheet\n";
-  for(const std::string& line : lines_of(sheet.points())) {
+  for(const std::string& line : lines_of(sheet.points()))
     text += "v " + line + "\n";
-  }
   for(const std::vector<int>& face : sheet.faces()) {
     text += "f";
-    for(const int v : face) {
+    for(const int v : face)
       text += " " + std::to_string(v + 1);
-    }
     text += "\n";
   }
   return text;
@@ -597,9 +691,8 @@ inline std::size_t count_in_svg(std::string svg, const std::string& property)
             svg.end());
   std::replace(svg.begin(), svg.end(), '=', ':');
   std::size_t count = 0;
-  for(std::size_t at = svg.find(property); at != std::string::npos; at = svg.find(property, at + 1)) {
+  for(std::size_t at = svg.find(property); at != std::string::npos; at = svg.find(property, at + 1))
     ++count;
-  }
   return count;
 }
 

@@ -9,7 +9,6 @@ Usage: test_certified_files.py FLATTEN_MESH"""
 import collections
 import fractions
 import itertools
-import json
 import math
 import random
 import re
@@ -18,9 +17,9 @@ import sys
 import unittest
 
 from program_case import Program_case
+from read_models import numbers_of, read_glb, read_ply
 
 UNIT = 2**149  # all floats are multiples of its inverse
-SIZES = {"B": 1, "i": 4, "I": 4, "f": 4, "d": 8}
 
 # Each once: a triangle that was flat in float, and quads of which some were not convex in float
 STRIPS = ([(441.71411133, 494.12988281, 228.03190613), (441.71411133, 582.43426514, 228.03190613),
@@ -49,59 +48,25 @@ def area(p, q, r):
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
 
 
-def read_glb(path):
+def triangles_of_glb(path):
     """Of each triangle with texture coordinates: points, places in the plane, and the numbers of its vertices"""
-    data = path.read_bytes()
-    length = struct.unpack_from("<I", data, 12)[0]
-    gltf, start = json.loads(data[20:20 + length]), 28 + length
-
-    def read(number):
-        accessor = gltf["accessors"][number]
-        view = gltf["bufferViews"][accessor["bufferView"]]
-        width = {"SCALAR": 1, "VEC2": 2, "VEC3": 3}[accessor["type"]]
-        code = {5125: "I", 5126: "f"}[accessor["componentType"]]
-        first = start + view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
-        numbers = struct.unpack_from(f"<{accessor['count'] * width}{code}", data, first)
-        return numbers if width == 1 else [numbers[i:i + width] for i in range(0, len(numbers), width)]
-
+    gltf, data = read_glb(path)
     triangles = []
     for m, mesh in enumerate(gltf["meshes"]):
         for k, primitive in enumerate(mesh["primitives"]):
-            if "TEXCOORD_0" in primitive["attributes"]:
-                points, texture = (read(primitive["attributes"][key]) for key in ("POSITION", "TEXCOORD_0"))
+            attributes = primitive["attributes"]
+            if "TEXCOORD_0" in attributes:
+                points, texture = (numbers_of(gltf, data, attributes[key]) for key in ("POSITION", "TEXCOORD_0"))
                 uvs = [(exact(u), UNIT - exact(v)) for u, v in texture]
-                numbers = read(primitive["indices"])
-                for t in zip(*[iter(numbers)] * 3):
+                for t in zip(*[iter(numbers_of(gltf, data, primitive["indices"]))] * 3):
                     triangles.append(([points[v] for v in t], [uvs[v] for v in t], [(m, k, v) for v in t]))
     return triangles
 
 
-def read_ply(path):
+def polygons_of_ply(path):
     """Places in the plane of the corners of each polygon with texture coordinates"""
-    data = path.read_bytes()
-    place = data.index(b"end_header\n") + 11
-    types = {"uchar": "B", "int": "i", "uint": "I", "float": "f", "double": "d"}
-    elements = []
-    for words in map(str.split, data[:place].decode().splitlines()):
-        if words[0] == "element":
-            elements.append((words[1], int(words[2]), []))
-        elif words[0] == "property":
-            elements[-1][2].append((words[-1], [types[word] for word in words[1:-1] if word in types]))
-    polygons = []
-    for name, count, properties in elements:
-        for _ in range(count):
-            values = {}
-            for key, codes in properties:
-                number = 1
-                if len(codes) > 1:
-                    number = struct.unpack_from("<" + codes[0], data, place)[0]
-                    place += SIZES[codes[0]]
-                values[key] = struct.unpack_from(f"<{number}{codes[-1]}", data, place)
-                place += number * SIZES[codes[-1]]
-            if name == "face" and values["texcoord"]:
-                uv = [exact(x) for x in values["texcoord"]]
-                polygons.append(list(zip(uv[::2], uv[1::2])))
-    return polygons
+    exact_numbers = [[exact(x) for x in face["texcoord"]] for face in read_ply(path)]
+    return [list(zip(uv[::2], uv[1::2])) for uv in exact_numbers if uv]
 
 
 def is_beside(p, q):
@@ -254,7 +219,7 @@ class Certified_files(Program_case):
             if output is None:
                 self.assertEqual(said["status"], "PRECISION_EXCEEDED", text)
                 continue
-            faces = read_glb(output) if form == "glb" else read_ply(output)
+            faces = triangles_of_glb(output) if form == "glb" else polygons_of_ply(output)
             polygons = [face[1] for face in faces] if form == "glb" else faces
             notes = [re.match(r"(\d+) faces? without area", note) for note in said["notes"]]
             without_area = sum(int(note[1]) for note in notes if note)
@@ -289,7 +254,7 @@ class Certified_files(Program_case):
 
     def test_equal_polygons_are_treated_alike(self):
         output, said, _ = self.flatten(FOLDED_QUADS, "ply", [])
-        sizes = {len(polygon) for polygon in read_ply(output)}
+        sizes = {len(polygon) for polygon in polygons_of_ply(output)}
         self.assertEqual(len(sizes), 1, said["notes"])
 
 

@@ -17,29 +17,18 @@ struct Angle_folder : Folder
   std::vector<int> corners() const
   {
     std::vector<int> result;
-    for(const auto& corner : json().get_child("prescribed.corners")) {
+    for(const auto& corner : json().get_child("prescribed.corners"))
       result.push_back(corner.second.get_value<int>());
-    }
     return result;
   }
 
   // Of each vertex that has them: these surfaces have no seams.
   std::vector<std::array<double, 2>> coordinates() const
   {
-    std::vector<std::array<double, 2>> uv, result;
-    for(const std::string& line : lines_with(obj(), "vt")) {
-      std::istringstream stream(line);
-      uv.emplace_back();
-      stream >> uv.back()[0] >> uv.back()[1];
-    }
-    result.resize(uv.size());
-    for(const std::string& line : lines_with(obj(), "f")) {
-      std::istringstream stream(line);
-      for(std::string corner; stream >> corner;) {
-        const std::size_t v = std::stoul(corner), t = std::stoul(corner.substr(corner.find('/') + 1));
-        result.at(v - 1) = uv.at(t - 1);
-      }
-    }
+    std::vector<std::array<double, 2>> result(lines_with(obj(), "vt").size());
+    for(const std::vector<Obj_corner>& face : corners_of(obj()))
+      for(const Obj_corner& corner : face)
+        result.at(static_cast<std::size_t>(corner.vertex)) = {corner.uv.real(), corner.uv.imag()};
     return result;
   }
 
@@ -57,9 +46,8 @@ struct Angle_folder : Folder
     const double size = (std::max)(most[0] - least[0], most[1] - least[1]);
     for(const int v : border) {
       double distance = size;
-      for(int k : {0, 1}) {
+      for(int k : {0, 1})
         distance = (std::min)({distance, uv[v][k] - least[k], most[k] - uv[v][k]});
-      }
       BOOST_TEST(distance < 1e-12 * size, "vertex " << v);
     }
     BOOST_TEST(json().get<double>("prescribed.side_deviation") < 1e-12);
@@ -72,11 +60,9 @@ inline std::vector<int> border_of(const Sheet& sheet)
 {
   std::vector<int> border;
   for(int j = 0; j <= sheet.rows; ++j) {
-    for(int i = 0; i <= sheet.columns; ++i) {
-      if(i == 0 || j == 0 || i == sheet.columns || j == sheet.rows) {
+    for(int i = 0; i <= sheet.columns; ++i)
+      if(i == 0 || j == 0 || i == sheet.columns || j == sheet.rows)
         border.push_back(j * (sheet.columns + 1) + i);
-      }
-    }
   }
   return border;
 }
@@ -98,9 +84,8 @@ BOOST_AUTO_TEST_CASE(have_the_corners_that_are_asked_for)
   BOOST_TEST(json().get<int>("prescribed.split_edges") == 0);
   const std::string svg = content(file("flat.svg"));
   std::size_t dots = 0;
-  for(std::size_t at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at + 1)) {
+  for(std::size_t at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at + 1))
     ++dots;
-  }
   BOOST_TEST(dots == 4u);
   BOOST_TEST(standard_output.find("vertices 1, ") != std::string::npos, standard_output);
 }
@@ -123,30 +108,28 @@ BOOST_AUTO_TEST_CASE(find_their_corners)
 BOOST_AUTO_TEST_CASE(split_what_is_in_the_way)
 {
   for(const bool triangulated : {true, false}) {
-    BOOST_TEST_CONTEXT("triangulated: " << triangulated)
-    {
-      Sheet sheet;
-      sheet.triangulated = triangulated;
-      const std::string input = write("sheet.off", off(sheet));
-      flatten(input, "--rectangle 3,14,33,22");
-      BOOST_TEST(status == 0);
-      check_told("split in the middle");
-      BOOST_TEST(json().get<std::string>("status") == "OK");
-      const int split = json().get<int>("prescribed.split_edges");
-      BOOST_TEST(split > 0);
-      BOOST_TEST(json().get<int>("flipped_triangles") == 0);
-      BOOST_TEST(static_cast<int>(lines_with(obj(), "v").size()) == sheet.vertices() + split);
-      // Each edge is split together with the triangles beside it, of which there are two.
-      const Lines faces = lines_with(obj(), "f");
-      BOOST_TEST(static_cast<int>(faces.size()) == 2 * sheet.columns * sheet.rows + 2 * split);
-      for(const std::string& face : faces) {
-        std::istringstream stream(face);
-        const auto corners = std::distance(std::istream_iterator<std::string>(stream), {});
-        BOOST_TEST(corners == 3);
-        BOOST_TEST(std::count(face.begin(), face.end(), '/') == 3, face);
-      }
-      check_rectangle(border_of(sheet));
+    BOOST_TEST_INFO_SCOPE("triangulated: " << triangulated);
+    Sheet sheet;
+    sheet.triangulated = triangulated;
+    const std::string input = write("sheet.off", off(sheet));
+    flatten(input, "--rectangle 3,14,33,22");
+    BOOST_TEST(status == 0);
+    check_told("split in the middle");
+    BOOST_TEST(json().get<std::string>("status") == "OK");
+    const int split = json().get<int>("prescribed.split_edges");
+    BOOST_TEST(split > 0);
+    BOOST_TEST(json().get<int>("flipped_triangles") == 0);
+    BOOST_TEST(static_cast<int>(lines_with(obj(), "v").size()) == sheet.vertices() + split);
+    // Each edge is split together with the triangles beside it, of which there are two.
+    const Lines faces = lines_with(obj(), "f");
+    BOOST_TEST(static_cast<int>(faces.size()) == 2 * sheet.columns * sheet.rows + 2 * split);
+    for(const std::string& face : faces) {
+      std::istringstream stream(face);
+      const auto corners = std::distance(std::istream_iterator<std::string>(stream), {});
+      BOOST_TEST(corners == 3);
+      BOOST_TEST(std::count(face.begin(), face.end(), '/') == 3, face);
     }
+    check_rectangle(border_of(sheet));
   }
 }
 
@@ -198,9 +181,8 @@ BOOST_AUTO_TEST_CASE(make_a_polygon)
 {
   const Sheet sheet;
   std::string text = "# vertex, degrees\n\n";
-  for(const int v : border_of(sheet)) {
+  for(const int v : border_of(sheet))
     text += std::to_string(v + 1) + (v == 0 ? "\t90" : v == 6 || v == 28 ? " 45" : "  180") + " \r\n";
-  }
   flatten(write("sheet.off", off(sheet)), "--border-angles " + quoted(write("angles.txt", text)));
   check_success();
   BOOST_TEST(corners().size() == 3u);
@@ -234,9 +216,8 @@ BOOST_AUTO_TEST_CASE(that_are_not_possible_are_named)
   run_with("4 560\n");
   check_refusal({"WRONG_ANGLE_SUM", "vertex 4", "3 triangle(s)"});
   std::string all;
-  for(const int v : border_of(Sheet())) {
+  for(const int v : border_of(Sheet()))
     all += std::to_string(v + 1) + " 170\n";
-  }
   run_with(all);
   check_refusal({"WRONG_ANGLE_TOTAL", "20 border vertices", "18 pi"});
   flatten(sheet, "--border-angles " + quoted(file("missing.txt")));

@@ -40,9 +40,8 @@ struct Baking : Folder
     baked_surfaces::Surface coarse = baked_surfaces::sphere(1);
     std::mt19937 random(1);
     std::uniform_real_distribution<double> radius(0.92, 1.04);
-    for(const auto v : coarse.vertices()) {
+    for(const auto v : coarse.vertices())
       coarse.point(v) = CGAL::ORIGIN + radius(random) * (coarse.point(v) - CGAL::ORIGIN);
-    }
     write("coarse.off", off_text(coarse));
   }
 
@@ -67,9 +66,8 @@ struct Baking : Folder
     }
     for(const auto f : surface.faces()) {
       text << 'f';
-      for(const auto v : surface.vertices_around_face(surface.halfedge(f))) {
+      for(const auto v : surface.vertices_around_face(surface.halfedge(f)))
         text << ' ' << v.idx() + 1;
-      }
       text << '\n';
     }
     return text.str();
@@ -106,9 +104,8 @@ std::vector<std::uint16_t> grey_pixels(const std::string& png_file)
 std::vector<std::uint8_t> bytes_of(const std::vector<Pixel>& pixels)
 {
   std::vector<std::uint8_t> bytes;
-  for(const Pixel& pixel : pixels) {
+  for(const Pixel& pixel : pixels)
     bytes.insert(bytes.end(), pixel.begin(), pixel.end());
-  }
   return bytes;
 }
 
@@ -143,9 +140,8 @@ struct Shown_point
         bitangent += weights[k] * vector_of(mesh.mBitangents[v]);
       }
     }
-    for(Vector* direction : {&normal, &tangent, &bitangent}) {
+    for(Vector* direction : {&normal, &tangent, &bitangent})
       direction->normalize();
-    }
   }
 
   // Where a ray along the normal meets the unit sphere
@@ -239,12 +235,10 @@ BOOST_FIXTURE_TEST_CASE(obj_names_its_pictures, Baking)
   BOOST_TEST(status == 0);
   BOOST_TEST(standard_error == "");
   for(const char* name :
-      {"flat.obj", "flat.mtl", "flat_normals.png", "flat_displacement.png", "flat_colors.png"}) {
-    BOOST_TEST((standard_output.find(file(name)) != std::string::npos), standard_output);
-  }
-  for(const char* line : {"baked", "  missed", "  back faces", "  distance", "  displacement"}) {
-    BOOST_TEST((standard_output.find(std::string("\n") + line + " ") != std::string::npos), line);
-  }
+      {"flat.obj", "flat.mtl", "flat_normals.png", "flat_displacement.png", "flat_colors.png"})
+    check_printed(file(name));
+  for(const char* line : {"baked", "  missed", "  back faces", "  distance", "  displacement"})
+    check_printed(std::string("\n") + line + " ");
   Assimp::Importer importer;
   const aiScene* const scene = importer.ReadFile(file("flat.obj"), 0);
   BOOST_REQUIRE(scene != nullptr);
@@ -291,11 +285,9 @@ BOOST_FIXTURE_TEST_CASE(materials_are_kept, Baking)
   BOOST_TEST(status == 0, standard_error);
   check_told("note: baking replaces parts of the input: normals, materials except names");
   Lines kept;
-  for(const std::string& line : lines_of(obj())) {
-    if(line.compare(0, 2, "v ") != 0 && line.compare(0, 2, "vt") != 0 && line.compare(0, 2, "vn") != 0) {
+  for(const std::string& line : lines_of(obj()))
+    if(line.compare(0, 2, "v ") != 0 && line.compare(0, 2, "vt") != 0 && line.compare(0, 2, "vn") != 0)
       kept.push_back(line.substr(0, line[0] == 'f' ? 1 : std::string::npos));
-    }
-  }
   const Lines expected = {"# texture coordinates 'vt' by flatten_mesh",
                           "mtllib flat.mtl",
                           "usemtl baked",
@@ -309,18 +301,15 @@ BOOST_FIXTURE_TEST_CASE(materials_are_kept, Baking)
   const std::string materials = content(path / "flat.mtl");
   for(const char* text : {"newmtl red paint\nKd 1 0.25 0\nd 1\nnorm flat_normals.png\n",
                           "newmtl glass\nKd 1 1 1\nd 0.5\nnorm flat_normals.png\n",
-                          "newmtl baked\nKd 1 1 1\nd 1\nnorm flat_normals.png\n"}) {
+                          "newmtl baked\nKd 1 1 1\nd 1\nnorm flat_normals.png\n"})
     BOOST_TEST((materials.find(text) != std::string::npos), materials);
-  }
   BOOST_TEST(
       (materials.find("map_Kd") == std::string::npos)); // the old picture does not fit the new coordinates
   BOOST_TEST(!fs::exists(file("flat_colors.png")));     // the plane has no colours
-  for(const std::string& normal : lines_with(obj(), "vn")) {
+  for(const std::string& normal : lines_with(obj(), "vn"))
     BOOST_TEST(numbers({normal}).at(2) == 1);
-  }
-  for(const Pixel& pixel : pixels_of(file("flat_normals.png"))) {
+  for(const Pixel& pixel : pixels_of(file("flat_normals.png")))
     BOOST_TEST((pixel == Pixel{128, 128, 255}));
-  }
   bake("in/model.obj", "plane.off", "in/paint.obj", "--resolution 64");
   BOOST_TEST(status == 2);
   check_told("paint.mtl' would overwrite the material file of the input");
@@ -336,11 +325,9 @@ BOOST_FIXTURE_TEST_CASE(bad_rays_are_told, Baking)
   BOOST_TEST(report<int>("back_faces") == report<int>("chart_texels"));
 
   baked_surfaces::Surface open = baked_surfaces::sphere(5);
-  for(const auto f : open.faces()) {
-    if(baked_surfaces::point_at(open, {f, {1. / 3, 1. / 3, 1. / 3}}).z() > 0.5) {
+  for(const auto f : open.faces())
+    if(baked_surfaces::point_at(open, {f, {1. / 3, 1. / 3, 1. / 3}}).z() > 0.5)
       CGAL::Euler::remove_face(open.halfedge(f), open);
-    }
-  }
   open.collect_garbage();
   write("open.off", off_text(open));
   bake("coarse.off", "open.off", "flat.obj", "--resolution 64");

@@ -17,9 +17,8 @@ inline std::string squares(const int number)
   std::string points;
   std::vector<std::vector<int>> faces;
   for(int i = 0; i < number; ++i) {
-    for(const auto& [x, y] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+    for(const auto& [x, y] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}})
       points += std::to_string(2 * i + x) + " " + std::to_string(y) + " 0\n";
-    }
     faces.push_back({4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3});
   }
   return off(4 * number, points, faces);
@@ -27,28 +26,12 @@ inline std::string squares(const int number)
 
 struct Pages_folder : public Folder
 {
-  // The corners of each face in the plane
-  std::vector<std::vector<Place>> places() const
-  {
-    const std::vector<double> all = numbers(lines_with(obj(), "vt"));
-    std::vector<std::vector<Place>> faces;
-    for(const std::string& line : lines_with(obj(), "f")) {
-      faces.emplace_back();
-      std::istringstream words(line);
-      for(std::string word; words >> word;) {
-        const std::size_t i = 2 * (std::stoul(word.substr(word.find('/') + 1)) - 1);
-        faces.back().push_back({all.at(i), all.at(i + 1)});
-      }
-    }
-    return faces;
-  }
-
   boost::property_tree::ptree packing() const { return json().get_child("atlas.packing"); }
 
   // Each face is a square with this side, where both coordinates are multiplied by these factors first.
   void check_squares(const double side, const Place& factors) const
   {
-    for(const std::vector<Place>& face : places()) {
+    for(const std::vector<Place>& face : texture_of_faces(obj())) {
       BOOST_REQUIRE_EQUAL(face.size(), 4u);
       for(std::size_t i = 0; i < 4; ++i) {
         const Place &p = face[i], &q = face[(i + 1) % 4], &r = face[(i + 2) % 4];
@@ -62,14 +45,11 @@ struct Pages_folder : public Folder
 
   void check_refused(const std::string& input, const std::string& options, const Lines& words)
   {
-    BOOST_TEST_CONTEXT(options)
-    {
-      for(const char* name : {"flat.obj", "flat.svg", "flat.json"}) { // of runs before
-        fs::remove(file(name));
-      }
-      flatten(input, options);
-      check_refusal(words);
-    }
+    BOOST_TEST_INFO_SCOPE(options);
+    for(const char* name : {"flat.obj", "flat.svg", "flat.json"}) // of runs before
+      fs::remove(file(name));
+    flatten(input, options);
+    check_refusal(words);
   }
 };
 
@@ -89,9 +69,8 @@ inline std::map<std::array<png_byte, 4>, int> texels_of_colors(const std::string
   std::map<std::array<png_byte, 4>, int> texels;
   for(const std::array<png_byte, 4>& pixel : pixels) {
     BOOST_TEST((pixel[3] == 0 || pixel[3] == 255));
-    if(pixel[3] == 255) {
+    if(pixel[3] == 255)
       ++texels[pixel];
-    }
   }
   return texels;
 }
@@ -109,16 +88,14 @@ BOOST_AUTO_TEST_CASE(density_and_pages)
   BOOST_TEST(packing().get<int>("resolution") == 128);
   BOOST_TEST(packing().get<int>("height") == 64);
   BOOST_TEST(packing().get<double>("texels_per_unit") == 50, boost::test_tools::tolerance(1e-9));
-  BOOST_TEST((standard_output.find("12 pages") != std::string::npos), standard_output);
+  check_printed("12 pages");
   check_squares(50, {128, 64});
   std::map<int, int> squares_of_pages, charts_of_pages;
-  for(const std::vector<Place>& face : places()) {
+  for(const std::vector<Place>& face : texture_of_faces(obj()))
     ++squares_of_pages[static_cast<int>(face[0][0]) + 10 * static_cast<int>(face[0][1])];
-  }
   const auto charts = json().get_child("atlas.charts");
-  for(const auto& chart : charts) {
+  for(const auto& chart : charts)
     ++charts_of_pages[chart.second.get<int>("page")];
-  }
   BOOST_TEST((squares_of_pages == charts_of_pages));
   BOOST_TEST(squares_of_pages.size() == 12u);
   BOOST_TEST(count_in_svg(content(path / "flat.svg"), "stroke:rgb(60%,60%,60%)") == 12u);
@@ -140,7 +117,7 @@ BOOST_AUTO_TEST_CASE(one_page_of_any_shape)
     BOOST_TEST(packing().get<int>("block") == 4);
     check_squares(packing().get<double>("texels_per_unit"), {1. * width, 1. * height});
     std::map<std::pair<int, int>, std::set<std::size_t>> squares_of_blocks;
-    const auto faces = places();
+    const auto faces = texture_of_faces(obj());
     for(std::size_t f = 0; f < faces.size(); ++f) {
       for(const Place& p : faces[f]) {
         BOOST_TEST((p[0] > 0 && p[0] < 1 && p[1] > 0 && p[1] < 1));
@@ -148,9 +125,8 @@ BOOST_AUTO_TEST_CASE(one_page_of_any_shape)
             f);
       }
     }
-    for(const auto& [block, owners] : squares_of_blocks) {
+    for(const auto& [block, owners] : squares_of_blocks)
       BOOST_TEST(owners.size() == 1u);
-    }
   }
 }
 
@@ -181,7 +157,7 @@ BOOST_AUTO_TEST_CASE(images_of_charts)
       BOOST_TEST(count >= 50 * 50);
       BOOST_TEST(count <= 52 * 52);
     }
-    BOOST_TEST((standard_output.find(name) != std::string::npos));
+    check_printed(name);
   }
   BOOST_TEST(!fs::exists(file("charts.1003.png")));
 
@@ -191,7 +167,7 @@ BOOST_AUTO_TEST_CASE(images_of_charts)
   // The first rows of the image are those with the largest v.
   flatten(write("square.off", squares(1)),
           "--texels-per-unit 20 --resolution 64 --chart-image " + quoted(file("charts.png")));
-  const auto face = places().front();
+  const auto face = texture_of_faces(obj()).front();
   int left = 64, top = 64;
   png_image image = {};
   image.version = PNG_IMAGE_VERSION;
@@ -219,9 +195,8 @@ BOOST_AUTO_TEST_CASE(images_of_charts)
                 several + "--picture " + quoted(file("flat.1002.png")) + " --chart-image " +
                     quoted(file("flat.<UDIM>.png")),
                 {"same file"});
-  for(const std::string option : {"--no-pack", "--units world", "--plain"}) {
+  for(const std::string option : {"--no-pack", "--units world", "--plain"})
     check_refused(input, option + " --chart-image " + quoted(file("flat.png")), {"--chart-image"});
-  }
   check_refused(input, several + "--bake-from " + quoted(input), {"--bake-from", "2 pages"});
 }
 #endif

@@ -19,21 +19,16 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <random>
 #include <set>
 #include <string>
-#include <system_error>
-#include <utility>
 #include <vector>
 
 #include <sys/wait.h>
@@ -158,28 +153,26 @@ BOOST_AUTO_TEST_CASE(the_same_in_all_kinds_of_files)
                                          {"text.gltf", gltf.text()},
                                          {"binary.gltf", gltf.binary()},
                                          {"files.gltf", gltf.text("ball%20data.bin")}}) {
-    BOOST_TEST_CONTEXT(name)
-    {
-      const Model model = read(name, text);
-      BOOST_TEST(model.number_of_polygons() == ball.triangles.size() / 3);
-      BOOST_TEST(model.points.size() == 7u * 12 + 2); // the seam is closed, and the poles are points
-      BOOST_TEST(model.material_names == (std::vector<std::string>{"wood", "wood_1"}),
-                 boost::test_tools::per_element());
-      BOOST_TEST((model.material_colors[0] == Point_color{1, 0.5, 0, 1}));
-      BOOST_TEST(model.material(29) == 0u);
-      BOOST_TEST(model.material(30) == 1u);
-      BOOST_TEST(model.statements.size() == 3u);
-      BOOST_TEST(volume(model) > 3.5);
-      for(Index c = 0; c < model.number_of_corners(); ++c) {
-        const std::uint32_t v = ball.triangles[c];
-        BOOST_TEST_REQUIRE(model.texture_point(c) != no_index);
-        BOOST_TEST(model.texture[model.texture_point(c)].x() == ball.texture[2 * v]);
-        BOOST_TEST(model.texture[model.texture_point(c)].y() == 1 - double(ball.texture[2 * v + 1]));
-        BOOST_TEST((model.normals[model.normal(c)] == model.points[model.vertices[c]] - CGAL::ORIGIN));
-        BOOST_TEST(model.points[model.vertices[c]].x() == ball.points[3 * v]);
-      }
-      BOOST_TEST(notes.texts().empty());
+    BOOST_TEST_INFO_SCOPE(name);
+    const Model model = read(name, text);
+    BOOST_TEST(model.number_of_polygons() == ball.triangles.size() / 3);
+    BOOST_TEST(model.points.size() == 7u * 12 + 2); // the seam is closed, and the poles are points
+    BOOST_TEST(model.material_names == (std::vector<std::string>{"wood", "wood_1"}),
+               boost::test_tools::per_element());
+    BOOST_TEST((model.material_colors[0] == Point_color{1, 0.5, 0, 1}));
+    BOOST_TEST(model.material(29) == 0u);
+    BOOST_TEST(model.material(30) == 1u);
+    BOOST_TEST(model.statements.size() == 3u);
+    BOOST_TEST(volume(model) > 3.5);
+    for(Index c = 0; c < model.number_of_corners(); ++c) {
+      const std::uint32_t v = ball.triangles[c];
+      BOOST_TEST_REQUIRE(model.texture_point(c) != no_index);
+      BOOST_TEST(model.texture[model.texture_point(c)].x() == ball.texture[2 * v]);
+      BOOST_TEST(model.texture[model.texture_point(c)].y() == 1 - double(ball.texture[2 * v + 1]));
+      BOOST_TEST((model.normals[model.normal(c)] == model.points[model.vertices[c]] - CGAL::ORIGIN));
+      BOOST_TEST(model.points[model.vertices[c]].x() == ball.points[3 * v]);
     }
+    BOOST_TEST(notes.texts().empty());
   }
   const Model split = read("ball.glb", gltf.binary(), {false, false, true});
   BOOST_TEST(split.points.size() > 9u * 13 - 2); // of both primitives
@@ -358,9 +351,8 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_named)
   refused("\"mesh\":0", "\"mesh\":0,\"children\":[4]", "node 4, which does not exist");
   refused("\"mesh\":0", "\"mesh\":0,\"scale\":[1,2]", "the scale of node 0 has 2 numbers instead of 3");
   refused("\"version\":\"2.0\"", "\"version\":\"1.0\"", "version '1.0'");
-  for(const std::string name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}) {
+  for(const std::string name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression"})
     refused("\"asset\"", "\"extensionsUsed\":[\"" + name + "\"],\"asset\"", name);
-  }
   refused("\"asset\"", "\"extensionsRequired\":[\"ABC_new\"],\"asset\"", "ABC_new");
   refused("\"asset\"", "\"images\":[{\"bufferView\":8,\"mimeType\":\"image/png\"}],\"asset\"",
           "picture 0 names buffer view 8, which does not exist");
@@ -381,9 +373,8 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_named)
   wrong.bytes.replace(72 + 8, 4, Gltf::number(6));
   check_refused("wrong.glb", one_primitive(wrong, primitive).binary(),
                 "accessor 1 (indices of primitive 0 of mesh 'one') names vertex 6 (counted from 0)");
-  for(const std::string name : {"other.glb", "other.gltf"}) {
+  for(const std::string name : {"other.glb", "other.gltf"})
     check_refused(name, "v 0 0 0\n", "begin with 'glTF' if they are binary");
-  }
   check_refused("missing.gltf", one_primitive(good, primitive).text("missing.bin"), "missing.bin");
   check_refused("device.gltf", one_primitive(good, primitive).text("/dev/zero"), "/dev/zero");
 }
@@ -392,9 +383,8 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_named)
 BOOST_AUTO_TEST_CASE(any_damage)
 {
   const std::string whole = ball_with_nodes("{\"mesh\":0,\"children\":[1]},{\"mesh\":0}").binary();
-  for(std::size_t length = 0; length < whole.size(); length += length < 100 ? 1 : 97) {
+  for(std::size_t length = 0; length < whole.size(); length += length < 100 ? 1 : 97)
     BOOST_CHECK_THROW(read("short.glb", whole.substr(0, length)), Input_error);
-  }
   std::mt19937 random(1);
   const std::size_t description = whole.find("BIN");
   std::size_t refused = 0;
@@ -469,9 +459,8 @@ BOOST_AUTO_TEST_CASE(scenes_stay)
        "\"baseColorTexture\":{\"index\":0,\"extensions\":{\"KHR_texture_transform\":{\"texCoord\":1,"
        "\"offset\":[0.5,0]}},\"texCoord\":1}",
        "\"perspective\":{\"yfov\":1,\"znear\":2}", "\"maker\":\"test\"", "not looked at IEND\xAE",
-       "\"TEXCOORD_1\":"}) {
+       "\"TEXCOORD_1\":"})
     BOOST_TEST(flat.find(part) != std::string::npos, "no " << part);
-  }
   Model before = read_again("balls.glb"), after = read_again("flat.glb");
   BOOST_TEST((places_of_triangles(before) == places_of_triangles(after)));
   BOOST_TEST(volume(after) > 3.5);
@@ -611,9 +600,8 @@ BOOST_AUTO_TEST_CASE(skins_and_morph_targets_stay)
                            ",\"JOINTS_0\":" + number(gltf.add(joints, "VEC4")) +
                            ",\"WEIGHTS_0\":" + number(gltf.add(weights, "VEC4")) + "}";
   std::vector<float> identity(32, 0.f);
-  for(const std::size_t i : {0, 5, 10, 15}) {
+  for(const std::size_t i : {0, 5, 10, 15})
     identity[i] = identity[i + 16] = 1;
-  }
   gltf.json +=
       ",\"meshes\":[{\"primitives\":[{\"attributes\":" + attributes +
       ",\"indices\":" + number(gltf.add(ball.triangles, "SCALAR")) +
@@ -629,9 +617,8 @@ BOOST_AUTO_TEST_CASE(skins_and_morph_targets_stay)
   const std::string flat = content("flat.glb");
   for(const std::string part :
       {"\"JOINTS_0\":", "\"WEIGHTS_0\":", "\"targets\":[{\"POSITION\":", "\"weights\":[0.25]",
-       "\"inverseBindMatrices\":", "\"animations\":[{\"channels\":"}) {
+       "\"inverseBindMatrices\":", "\"animations\":[{\"channels\":"})
     BOOST_TEST(flat.find(part) != std::string::npos, "no " << part);
-  }
   const Model model = read_again("flat.glb");
   BOOST_TEST(CGAL::bbox_3(model.points.begin(), model.points.end()).xmax() <
              2); // joints place it, not its node

@@ -30,24 +30,21 @@ struct Striped_hill
     for(int i = 0; i <= n; ++i) {
       for(int j = 0; j <= n; ++j) {
         text << "v " << i << ' ' << j << ' ' << 0.125 * (i * (n - i) + j * j % 7) << '\n';
-        if(has_texture) {
+        if(has_texture)
           text << "vt " << 10 + i << ' ' << j << '\n';
-        }
       }
     }
     for(int i = 0; i < n; ++i) {
       const std::string name = stripe_name(i / width);
-      if(i % width == 0) {
+      if(i % width == 0)
         text << "o object_" << name << "\ng all group_" << name << "\nusemtl paint " << name << '\n';
-      }
       for(int j = 0; j < n; ++j) {
         text << "f";
         for(const int v :
             {i * (n + 1) + j, (i + 1) * (n + 1) + j, (i + 1) * (n + 1) + j + 1, i * (n + 1) + j + 1}) {
           text << ' ' << v + 1;
-          if(has_texture) {
+          if(has_texture)
             text << '/' << v + 1;
-          }
         }
         text << '\n';
       }
@@ -64,9 +61,8 @@ inline void check_stripes(const std::vector<Textured_face>& faces, const std::se
   std::vector<Textured_face> with_charts;
   for(const Textured_face& face : faces) {
     float least = face.points[0][0];
-    for(const auto& point : face.points) {
+    for(const auto& point : face.points)
       least = (std::min)(least, point[0]);
-    }
     const bool is_chosen = chosen.count(static_cast<int>(least) / width) == 1;
     if(!is_chosen && !has_texture) {
       BOOST_TEST(face.uv.empty());
@@ -81,9 +77,8 @@ inline void check_stripes(const std::vector<Textured_face>& faces, const std::se
         BOOST_TEST(face.uv[i][1] == static_cast<double>(face.points[i][1]));
       }
     }
-    if(is_chosen) {
+    if(is_chosen)
       with_charts.push_back(face);
-    }
     new_ones += is_chosen;
   }
   BOOST_TEST(new_ones > 0u);
@@ -105,20 +100,18 @@ BOOST_AUTO_TEST_CASE(chosen_stripes)
        {"--only-material 'paint a,paint b' --ignore group_a", {1}},
        {"--ignore object_b --seams creases", {0, 2}}}) {
     for(const std::string format : {"obj", "ply", "glb"}) {
-      BOOST_TEST_CONTEXT(options << " " << format)
-      {
-        const std::string output = file("flat." + format);
-        run(quoted(input) + " " + options + " --output " + quoted(output) + " --json " +
-            quoted(file("flat.json")));
-        BOOST_TEST(status == 0, standard_error);
-        BOOST_TEST(json().get<std::string>("status") == "OK");
-        BOOST_TEST(json().get<std::size_t>("left_out") == (3 - chosen.size()) * 48);
-        BOOST_TEST(json().get<std::size_t>("components") == (chosen == std::set<int>{0, 2} ? 2u : 1u));
-        BOOST_TEST(standard_output.find("left out") != std::string::npos);
-        const std::vector<Textured_face> faces = read_textured(output);
-        BOOST_TEST(faces.size() == 288u);
-        check_stripes(faces, chosen, hill.width);
-      }
+      BOOST_TEST_INFO_SCOPE(options << " " << format);
+      const std::string output = file("flat." + format);
+      run(quoted(input) + " " + options + " --output " + quoted(output) + " --json " +
+          quoted(file("flat.json")));
+      BOOST_TEST(status == 0, standard_error);
+      BOOST_TEST(json().get<std::string>("status") == "OK");
+      BOOST_TEST(json().get<std::size_t>("left_out") == (3 - chosen.size()) * 48);
+      BOOST_TEST(json().get<std::size_t>("components") == (chosen == std::set<int>{0, 2} ? 2u : 1u));
+      BOOST_TEST(standard_output.find("left out") != std::string::npos);
+      const std::vector<Textured_face> faces = read_textured(output);
+      BOOST_TEST(faces.size() == 288u);
+      check_stripes(faces, chosen, hill.width);
     }
   }
 }
@@ -168,13 +161,11 @@ BOOST_AUTO_TEST_CASE(gltf)
     std::sort(uv.begin(), uv.end());
     return uv;
   };
-  for(const Textured_face& face : before) {
+  for(const Textured_face& face : before)
     texture[{face.points.begin(), face.points.end()}] = sorted(face.uv);
-  }
   std::size_t same = 0, others = 0;
-  for(const Textured_face& face : after) {
+  for(const Textured_face& face : after)
     (sorted(face.uv) == texture.at({face.points.begin(), face.points.end()}) ? same : others) += 1;
-  }
   BOOST_TEST(others == 30u); // of the first material
   BOOST_TEST(same == before.size() - 30);
   run(quoted(file("ball.glb")) + " --ignore ball --output " + quoted(file("none.glb")));
@@ -192,9 +183,8 @@ BOOST_AUTO_TEST_CASE(several_models)
   run(both + " --only-material 'paint c'");
   BOOST_TEST_REQUIRE(status == 0, standard_error);
   check_stripes(read_textured(file("flat_a.obj")), {2}, 4);
-  for(const Textured_face& face : read_textured(file("flat_b.obj"))) {
+  for(const Textured_face& face : read_textured(file("flat_b.obj")))
     BOOST_TEST(face.uv[0][0] >= 10);
-  }
   run(both + " --only-material 'paint d'");
   check_refusal({"--only-material: there is no material 'paint d'", "'paint c'"});
 }
@@ -214,15 +204,12 @@ BOOST_AUTO_TEST_CASE(wrong_names)
        {"--ignore object_a --simplify 20", {"--ignore goes without --simplify"}},
        {"--ignore object_a --bake-from hill.obj", {"--ignore goes without --simplify and --bake-from"}},
        {"--ignore object_a --plain", {"--ignore goes with an atlas"}}}) {
-    BOOST_TEST_CONTEXT(options)
-    {
-      flatten(input, options);
-      Lines expected = words;
-      if(expected.front() == "'hill.obj'") {
-        expected.front() = quoted(input);
-      }
-      check_refusal(expected);
-    }
+    BOOST_TEST_INFO_SCOPE(options);
+    flatten(input, options);
+    Lines expected = words;
+    if(expected.front() == "'hill.obj'")
+      expected.front() = quoted(input);
+    check_refusal(expected);
   }
   flatten(file("plain.off"), "--ignore glass");
   check_refusal({"there are no materials", "there are no objects and groups"});

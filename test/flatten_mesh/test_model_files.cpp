@@ -78,6 +78,20 @@ struct Files : Temporary_folder
     return file(name);
   }
 
+  // The texture coordinates that the model has already, for its polygons in the surface of which the program makes an
+  // atlas
+  Model_texture own_texture(const Model& model)
+  {
+    const Atlas_input input = atlas_input_of(model, true, notes);
+    Model_texture texture = empty_texture(model, input.mesh, input.origins);
+    for(const Model_triangle& triangle : texture.triangles) {
+      for(Index c = model.first_corners[triangle.polygon]; c < model.first_corners[triangle.polygon + 1]; ++c)
+        if(model.texture_point(c) != no_index)
+          texture.uv[c] = model.texture[model.texture_point(c)];
+    }
+    return texture;
+  }
+
   void check_told(const std::string& word) const
   {
     BOOST_TEST(std::any_of(notes.texts().begin(), notes.texts().end(),
@@ -104,20 +118,6 @@ std::vector<double> numbers(const Kernel::Point_2& point)
   return {point.x(), point.y()};
 }
 
-// The texture coordinates that the model has already, for its polygons in the mesh
-Model_texture own_texture(const Model& model, const Surface_of_model& surface)
-{
-  Model_texture texture = empty_texture(model, surface.mesh, surface.origins);
-  for(const Model_triangle& triangle : texture.triangles) {
-    for(Index c = model.first_corners[triangle.polygon]; c < model.first_corners[triangle.polygon + 1]; ++c) {
-      if(model.texture_point(c) != no_index) {
-        texture.uv[c] = model.texture[model.texture_point(c)];
-      }
-    }
-  }
-  return texture;
-}
-
 // Everything that matters of an OBJ text that the program wrote, with values in place of numbers
 struct Plain_obj
 {
@@ -142,14 +142,12 @@ struct Plain_obj
                                         : keyword == "vt" ? texture
                                                           : normals)
                                            .emplace_back();
-        for(double number; words >> number;) {
+        for(double number; words >> number;)
           numbers.push_back(number);
-        }
       } else if(keyword == "f") {
         lines.push_back({"", {}});
-        for(std::string word; words >> word;) {
+        for(std::string word; words >> word;)
           lines.back().corners.push_back(corner(word));
-        }
       } else if(keyword != "#") {
         lines.push_back({line, {}});
       }
@@ -160,62 +158,14 @@ struct Plain_obj
   {
     std::array<std::string, 3> parts;
     std::istringstream stream(word);
-    for(std::string& part : parts) {
+    for(std::string& part : parts)
       std::getline(stream, part, '/');
-    }
     const auto value = [](const std::vector<std::vector<double>>& all, const std::string& number) {
       return number.empty() ? std::vector<double>() : all.at(std::stoul(number) - 1);
     };
     return {value(points, parts[0]), value(texture, parts[1]), value(normals, parts[2]), {}};
   }
 };
-
-// The surface of which the program makes an atlas
-Surface_of_model separated_surface(const Model& model, Notes& notes)
-{
-  Atlas_input input = atlas_input_of(model, true, notes);
-  return {std::move(input.mesh), std::move(input.origins)};
-}
-
-// Each corner of the mesh is at the point of its corner in the model, each triangle in one polygon, and each polygon is
-// divided into all its triangles or left out.
-void check_origins(const Model& model, const Surface_of_model& surface, const std::set<Index>& left_out = {})
-{
-  const Mesh& mesh = surface.mesh;
-  std::vector<Index> triangles(model.number_of_polygons(), 0);
-  std::vector<std::set<Index>> corners(model.number_of_polygons());
-  std::size_t misplaced = 0, mixed = 0, backward = 0;
-  for(const Face f : mesh.faces()) {
-    const Model_triangle triangle = surface.origins.triangle(model, mesh, f);
-    ++triangles[triangle.polygon];
-    for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
-      const Index corner = surface.origins.corners[h.idx()];
-      misplaced += model.points[model.vertices[corner]] != mesh.point(mesh.target(h));
-      mixed += model.polygon_of_corner(corner) != triangle.polygon;
-      corners[triangle.polygon].insert(corner);
-    }
-    const auto first =
-        std::min_element(triangle.corners.begin(), triangle.corners.end()) - triangle.corners.begin();
-    const auto second = static_cast<std::size_t>(first + 1) % 3, third = (second + 1) % 3;
-    backward +=
-        (triangle.corners[second] > triangle.corners[third]) != surface.origins.is_turned[triangle.polygon];
-  }
-  BOOST_TEST(misplaced == 0u);
-  BOOST_TEST(mixed == 0u);
-  BOOST_TEST(backward == 0u);
-  for(Index p = 0; p < model.number_of_polygons(); ++p) {
-    BOOST_TEST(triangles[p] == (left_out.count(p) != 0 ? 0 : model.size(p) - 2), "polygon " << p);
-    BOOST_TEST(corners[p].size() == (left_out.count(p) != 0 ? 0 : model.size(p)), "polygon " << p);
-  }
-  for(const Halfedge h : mesh.halfedges()) {
-    BOOST_TEST((surface.origins.corners[h.idx()] == no_index) == mesh.is_border(h));
-  }
-}
-
-std::string bow_tie()
-{
-  return "v 0 0 0\nv 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nf 1 2 3\nf 1 4 5\n";
-}
 
 const char* const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
@@ -226,52 +176,49 @@ BOOST_FIXTURE_TEST_SUITE(reading, Files)
 BOOST_AUTO_TEST_CASE(obj_in_every_manner)
 {
   for(unsigned seed = 0; seed < 20; ++seed) {
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      const generated::Model given = generated::strip(seed, {seed % 2 == 0, seed % 3 != 0, seed % 4 != 3});
-      const Model model = read("model.obj", generated::obj_text(given, seed));
-      const auto polygons = given.polygons();
-      BOOST_TEST_REQUIRE(model.number_of_polygons() == polygons.size());
-      BOOST_TEST_REQUIRE(model.points.size() == given.points.size());
-      for(std::size_t v = 0; v < given.points.size(); ++v) {
-        BOOST_TEST(numbers(model.points[v]) ==
-                       std::vector<double>(given.points[v].begin(), given.points[v].end()),
-                   boost::test_tools::per_element());
-      }
-      BOOST_TEST_REQUIRE(model.colors.size() == given.colors.size());
-      for(std::size_t v = 0; v < given.colors.size(); ++v) {
-        BOOST_TEST(std::equal(given.colors[v].begin(), given.colors[v].end(), model.colors[v].begin()));
-      }
-      for(Index p = 0; p < model.number_of_polygons(); ++p) {
-        BOOST_TEST_REQUIRE(model.size(p) == polygons[p].size());
-        for(Index i = 0; i < model.size(p); ++i) {
-          const Index c = model.first_corners[p] + i;
-          const generated::Corner corner = {static_cast<int>(model.vertices[c]),
-                                            static_cast<int>(model.texture_point(c)),
-                                            static_cast<int>(model.normal(c))};
-          BOOST_TEST((corner == polygons[p][i]));
-        }
-      }
-      std::size_t statement = 0;
-      Index p = 0;
-      for(const generated::Line& line : given.lines) {
-        if(line.statement.empty()) {
-          ++p;
-          continue;
-        }
-        BOOST_TEST_REQUIRE(statement < model.statements.size());
-        BOOST_TEST(model.statements[statement].text == line.statement);
-        BOOST_TEST(model.statements[statement].polygon == p);
-        ++statement;
-      }
-      BOOST_TEST(statement == model.statements.size());
-      BOOST_TEST(model.material_names == (std::vector<std::string>{"red paint", "blue"}),
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    const generated::Model given = generated::strip(seed, {seed % 2 == 0, seed % 3 != 0, seed % 4 != 3});
+    const Model model = read("model.obj", generated::obj_text(given, seed));
+    const auto polygons = given.polygons();
+    BOOST_TEST_REQUIRE(model.number_of_polygons() == polygons.size());
+    BOOST_TEST_REQUIRE(model.points.size() == given.points.size());
+    for(std::size_t v = 0; v < given.points.size(); ++v) {
+      BOOST_TEST(numbers(model.points[v]) ==
+                     std::vector<double>(given.points[v].begin(), given.points[v].end()),
                  boost::test_tools::per_element());
-      BOOST_TEST(model.material(0) == no_index);
-      BOOST_TEST(model.material(9) == 0u);
-      BOOST_TEST(model.material(23) == 1u);
-      BOOST_TEST(notes.texts().empty());
     }
+    BOOST_TEST_REQUIRE(model.colors.size() == given.colors.size());
+    for(std::size_t v = 0; v < given.colors.size(); ++v)
+      BOOST_TEST(std::equal(given.colors[v].begin(), given.colors[v].end(), model.colors[v].begin()));
+    for(Index p = 0; p < model.number_of_polygons(); ++p) {
+      BOOST_TEST_REQUIRE(model.size(p) == polygons[p].size());
+      for(Index i = 0; i < model.size(p); ++i) {
+        const Index c = model.first_corners[p] + i;
+        const generated::Corner corner = {static_cast<int>(model.vertices[c]),
+                                          static_cast<int>(model.texture_point(c)),
+                                          static_cast<int>(model.normal(c))};
+        BOOST_TEST((corner == polygons[p][i]));
+      }
+    }
+    std::size_t statement = 0;
+    Index p = 0;
+    for(const generated::Line& line : given.lines) {
+      if(line.statement.empty()) {
+        ++p;
+        continue;
+      }
+      BOOST_TEST_REQUIRE(statement < model.statements.size());
+      BOOST_TEST(model.statements[statement].text == line.statement);
+      BOOST_TEST(model.statements[statement].polygon == p);
+      ++statement;
+    }
+    BOOST_TEST(statement == model.statements.size());
+    BOOST_TEST(model.material_names == (std::vector<std::string>{"red paint", "blue"}),
+               boost::test_tools::per_element());
+    BOOST_TEST(model.material(0) == no_index);
+    BOOST_TEST(model.material(9) == 0u);
+    BOOST_TEST(model.material(23) == 1u);
+    BOOST_TEST(notes.texts().empty());
   }
 }
 
@@ -336,17 +283,15 @@ BOOST_AUTO_TEST_CASE(coordinates_that_are_no_numbers)
       {"nan.ts", "GOCAD TSurf 1\nTFACE\nVRTX 1 0 0 0\nVRTX 2 1 0 0\nVRTX 3 0 NAN 0\nTRGL 1 2 3\nEND\n"}};
   for(const std::string word : {"nan", "-nan(ind)", "inf", "1.#QNAN", "-1.#IND", "1e999"}) {
     for(const auto& [name, text] : files) {
-      BOOST_TEST_CONTEXT(name << " with " << word)
-      {
-        const std::string dirty = boost::replace_all_copy(text, "NAN", word);
-        const Model model = read(name, dirty);
-        BOOST_TEST_REQUIRE(model.points.size() == 3u);
-        BOOST_TEST(!std::isfinite(model.points[2].y()));
-        BOOST_CHECK_EXCEPTION(read_model(write(name, dirty), Degenerate_faces::REFUSED, notes), Input_error,
-                              [](const Input_error& error) {
-                                return std::string(error.what()).find("vertex 3") != std::string::npos;
-                              });
-      }
+      BOOST_TEST_INFO_SCOPE(name << " with " << word);
+      const std::string dirty = boost::replace_all_copy(text, "NAN", word);
+      const Model model = read(name, dirty);
+      BOOST_TEST_REQUIRE(model.points.size() == 3u);
+      BOOST_TEST(!std::isfinite(model.points[2].y()));
+      BOOST_CHECK_EXCEPTION(read_model(write(name, dirty), Degenerate_faces::REFUSED, notes), Input_error,
+                            [](const Input_error& error) {
+                              return std::string(error.what()).find("vertex 3") != std::string::npos;
+                            });
     }
   }
 }
@@ -445,9 +390,8 @@ BOOST_AUTO_TEST_CASE(ply_with_texture_of_corners)
                                "y\nproperty double z\nelement face 3\nproperty list uchar uint "
                                "vertex_index\nproperty list uchar float texcoord\nend_header\n") +
                        "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2 0\n3 0 2 3 6 .5 .5 1 1 0 1\n3 0 1 3 2 7 7\n");
-  for(const Index c : {0, 1, 2, 6, 7, 8}) {
+  for(const Index c : {0, 1, 2, 6, 7, 8})
     BOOST_TEST(model.texture_point(c) == no_index);
-  }
   BOOST_TEST(numbers(model.texture[model.texture_point(4)]) == (std::vector<double>{1, 1}),
              boost::test_tools::per_element());
 }
@@ -506,7 +450,7 @@ BOOST_AUTO_TEST_CASE(seams_and_materials_of_the_file)
                             "v 2 0 0\nv 2 1 0\nv 3 0 0\nv 3 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 1 0\n"
                             "usemtl one\nf 1/1 2/2 3/3 4/4\nusemtl two\nf 2/5 5/1 6/2 3/3\n"
                             "f 5/3 7/1 8/1 6/2\n");
-  const Surface_of_model surface = separated_surface(model, notes);
+  const Atlas_input surface = atlas_input_of(model, true, notes);
   const std::vector<bool> seams = texture_seams(model, surface.mesh, surface.origins);
   std::set<std::pair<std::size_t, std::size_t>> found;
   for(const Edge e : surface.mesh.edges()) {
@@ -518,107 +462,19 @@ BOOST_AUTO_TEST_CASE(seams_and_materials_of_the_file)
   // between the first two polygons the coordinates are equal, but not their numbers
   BOOST_TEST((found == std::set<std::pair<std::size_t, std::size_t>>{{4, 5}}));
   std::multiset<Index> materials;
-  for(const Index material : materials_of_faces(model, surface.mesh, surface.origins)) {
+  for(const Index material : materials_of_faces(model, surface.mesh, surface.origins))
     materials.insert(material);
-  }
   BOOST_TEST((materials == std::multiset<Index>{0, 0, 1, 1, 1, 1}));
 }
 
-BOOST_AUTO_TEST_SUITE_END()
-
-BOOST_FIXTURE_TEST_SUITE(origins, Files)
-
-BOOST_AUTO_TEST_CASE(polygons_become_triangles)
-{
-  for(unsigned seed = 0; seed < 20; ++seed) {
-    const Model model = read("model.obj", generated::obj_text(generated::strip(seed), seed));
-    check_origins(model, separated_surface(model, notes));
-    Polygon_soup soup = polygon_soup(model);
-    check_origins(model, build_mesh(model, soup, true, notes));
-  }
-  BOOST_TEST(notes.texts().empty());
-}
-
-BOOST_AUTO_TEST_CASE(turned_polygons)
-{
-  for(unsigned seed = 0; seed < 20; ++seed) {
-    generated::Model given = generated::strip(seed);
-    generated::Random random(seed);
-    std::size_t turned = 0, number = 0;
-    for(generated::Line& line : given.lines) {
-      if(line.statement.empty() && (++number % 5 == 3 || random.below(12) == 0)) {
-        std::reverse(line.polygon.begin(), line.polygon.end());
-        ++turned;
-      }
-    }
-    const Model model = read("model.obj", generated::obj_text(given, seed));
-    const Surface_of_model surface = separated_surface(model, notes);
-    check_origins(model, surface);
-    const auto& is_turned = surface.origins.is_turned;
-    BOOST_TEST(static_cast<std::size_t>(std::count(is_turned.begin(), is_turned.end(), true)) ==
-               (std::min)(turned, number - turned));
-    check_told("face" + std::string(turned == 1 ? "" : "s") + " turned");
-    Polygon_soup soup = polygon_soup(model);
-    check_origins(model, build_mesh(model, soup, true, notes));
-  }
-}
-
-BOOST_AUTO_TEST_CASE(points_are_split_and_merged)
-{
-  const Model tie = read("tie.obj", bow_tie());
-  const Surface_of_model split = separated_surface(tie, notes);
-  BOOST_TEST(split.mesh.number_of_vertices() == 6u);
-  check_origins(tie, split);
-  check_told("separated at 1 vertex");
-
-  const Model soup =
-      read("soup.obj", std::string(square) + "v 1 0 0\nv 1 1 0\nv 2 0 0\nf 1 2 3 4\nf 5 7 6\n");
-  const Surface_of_model merged = separated_surface(soup, notes);
-  BOOST_TEST(std::count_if(merged.mesh.edges().begin(), merged.mesh.edges().end(),
-                           [&](const Edge e) { return !merged.mesh.is_border(e); }) == 2);
-  check_origins(soup, merged);
-  check_told("were merged");
-}
-
-BOOST_AUTO_TEST_CASE(degenerate_and_duplicate_polygons_are_left_out)
-{
-  const Model model =
-      read("rubbish.obj", std::string(square) + "f 1 2 3\nf 1 1 2\nf 2 3\nf 1 3 4\nf 3 4 1\nf 4 3 1\n");
-  check_origins(model, separated_surface(model, notes), {1, 2, 4}); // face 6 is a back
-  const std::vector<TA::Atlas_report::Skipped> parts = atlas_input_of(model, true, notes).set_aside;
-  BOOST_TEST_REQUIRE(parts.size() == 2u);
-  BOOST_TEST(parts[0].status == CGAL::Texture_atlas::Diagnosis::DEGENERATE_FACE);
-  BOOST_TEST(parts[0].first_face == 1u);
-  BOOST_TEST(parts[0].number_of_faces == 2u);
-  BOOST_TEST(parts[1].status == CGAL::Texture_atlas::Diagnosis::DUPLICATE_FACE);
-  BOOST_TEST(parts[1].first_face == 4u);
-  BOOST_TEST(parts[1].number_of_faces == 1u);
-  BOOST_TEST((parts[1].message.find("face 5 has the same corners as face 4") != std::string::npos));
-
-  const Model lines = read("lines.obj", std::string(square) + "f 1 1 2\nf 2 3\n");
-  const Atlas_input nothing = atlas_input_of(lines, true, notes);
-  BOOST_TEST(nothing.mesh.is_empty());
-  BOOST_TEST_REQUIRE(nothing.set_aside.size() == 1u);
-  BOOST_TEST(nothing.set_aside.front().number_of_faces == 2u);
-
-  const Model pillow = read("pillow.obj", std::string(square) + "f 1 2 3 4\nf 4 3 2 1\n");
-  check_origins(pillow, separated_surface(pillow, notes));
-}
-
-// Whatever is joined, each corner of the mesh is at its corner in the file.
 BOOST_AUTO_TEST_CASE(split_faces_are_joined)
 {
   const auto inner_edges = [this](const std::string& text, const Welding& welding) {
     const Model model = read("split.obj", text);
-    Atlas_input input = atlas_input_of(model, true, notes, welding);
-    const Mesh& mesh = input.mesh;
+    const Mesh mesh = atlas_input_of(model, true, notes, welding).mesh;
     BOOST_TEST(mesh.is_valid()); // some vertices have no faces
-    const auto inner = std::count_if(mesh.edges().begin(), mesh.edges().end(),
-                                     [&mesh](const Edge e) { return !mesh.is_border(e); });
-    if(welding.tolerance == 0) {
-      check_origins(model, {std::move(input.mesh), std::move(input.origins)});
-    }
-    return inner;
+    return std::count_if(mesh.edges().begin(), mesh.edges().end(),
+                         [&mesh](const Edge e) { return !mesh.is_border(e); });
   };
   const std::string points = std::string(square) + "v 1 0 0\nv 1 1 0\nv 2 0 0\nv 2 1 0\n";
   const std::string sheet = points + "f 1 2 3\nf 1 3 4\nf 5 7 8\nf 5 8 6\n";
@@ -646,121 +502,6 @@ BOOST_AUTO_TEST_CASE(split_faces_are_joined)
   BOOST_TEST(inner_edges(chain, {Welding::ALL, 1.9}) == 1);
 }
 
-BOOST_AUTO_TEST_CASE(faces_without_extent_are_not_in_the_mesh)
-{
-  const Model model =
-      read("soup.obj", std::string(square) + "v 1 0 0\nv 1 1 0\nv 2 0 0\nv 5 5 5\nv 5 5 5\nv 5 6 5\n"
-                                             "f 1 2 3 4\nf 8 9 10\nf 5 7 6\n");
-  check_origins(model, separated_surface(model, notes), {1});
-  const Atlas_input input = atlas_input_of(model, true, notes);
-  BOOST_TEST(input.set_aside.empty()); // they get coordinates later
-  BOOST_TEST((input.origins.has_no_area == std::vector<bool>{false, true, false}));
-}
-
-// Three sheets at an edge, a one-sided strip, and a polygon without area
-BOOST_AUTO_TEST_CASE(what_is_no_surface_is_separated)
-{
-  const Model book =
-      read("book.obj", std::string(square) + "v 0 0 1\nv 1 0 1\nf 1 2 3 4\nf 2 1 5 6\nf 1 2 6 5\n"
-                                             "v 0 -1 0\nv 1 -1 0\nf 2 1 7 8\n");
-  const Surface_of_model pages = separated_surface(book, notes);
-  check_origins(book, pages); // the third is the back of the second
-  BOOST_TEST(CGAL::is_valid_polygon_mesh(pages.mesh));
-  check_told("between vertices 1 and 2: they are separated there");
-
-  std::string strip;
-  const int n = 8;
-  for(int i = 0; i < n; ++i) {
-    const double a = 2 * std::acos(-1.) * i / n;
-    for(const int side : {-1, 1}) {
-      const double r = 3 + side * 0.5 * std::cos(a / 2);
-      strip += "v " + std::to_string(r * std::cos(a)) + " " + std::to_string(r * std::sin(a)) + " " +
-               std::to_string(side * 0.5 * std::sin(a / 2)) + "\n";
-    }
-  }
-  for(int i = 0; i < n; ++i) {
-    const int b = 2 * i + 1, d = i + 1 < n ? b + 2 : 2, e = i + 1 < n ? b + 3 : 1;
-    strip += "f " + std::to_string(b) + " " + std::to_string(d) + " " + std::to_string(e) + " " +
-             std::to_string(b + 1) + "\n";
-  }
-  const Model moebius = read("strip.obj", strip);
-  const Surface_of_model band = separated_surface(moebius, notes);
-  check_origins(moebius, band);
-  check_told("one-sided, like a Moebius strip: it is cut along 1 edge");
-  BOOST_TEST(band.mesh.number_of_vertices() == 2 * n + 2);
-
-  const Model flat = read("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 1.5 1 0\nf 1 2 3 4\nf 1 4 5\n");
-  check_origins(flat, separated_surface(flat, notes), {0});
-}
-
-// Enough faces at a vertex for all to be added together
-BOOST_AUTO_TEST_CASE(hub)
-{
-  const int n = 2000;
-  std::string points = "v 0 0 0\n", faces;
-  for(int i = 0; i <= n; ++i) {
-    const double angle = std::acos(-1.) * i / n;
-    points += "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
-    faces += i < n ? "f 1 " + std::to_string(i + 2) + " " + std::to_string(i + 3) + "\n" : "";
-  }
-  std::string large = "f";
-  for(int i = 0; i <= n; ++i) {
-    large += " " + std::to_string(n + 2 - i);
-  }
-  const Model fan = read("hub.obj", points + faces), polygon = read("large.obj", points + large + "\n");
-  check_origins(fan, separated_surface(fan, notes));
-  check_origins(polygon, separated_surface(polygon, notes));
-}
-
-// A seam along a diagonal: the polygon is replaced by its triangles, and the others stay.
-BOOST_AUTO_TEST_CASE(torn_polygons_are_divided)
-{
-  for(unsigned seed = 0; seed < 10; ++seed) {
-    Model model = read("model.obj", generated::obj_text(generated::strip(seed), seed));
-    Surface_of_model surface = separated_surface(model, notes);
-    const Mesh& mesh = surface.mesh;
-    std::vector<bool> expected(model.number_of_polygons(), false);
-    const auto uv = [&mesh](const Halfedge h) {
-      const Kernel::Point_3& point = mesh.point(mesh.target(h));
-      return Kernel::Point_2(point.x() + (mesh.face(h).idx() % 3 == 0 ? 50 : 0), point.y());
-    };
-    const auto chart = [](const Face) { return Index(0); };
-    for(const Face f : mesh.faces()) {
-      for(const Face g : mesh.faces()) {
-        const Index p = surface.origins.triangle(model, mesh, f).polygon;
-        if(p == surface.origins.triangle(model, mesh, g).polygon &&
-           (f.idx() % 3 == 0) != (g.idx() % 3 == 0)) {
-          expected[p] = true;
-        }
-      }
-    }
-    const std::vector<bool> is_torn = torn_polygons(model, mesh, surface.origins, uv, chart);
-    BOOST_TEST(is_torn == expected, boost::test_tools::per_element());
-    const Model before = model;
-    divide_polygons(model, mesh, surface.origins, is_torn);
-    check_origins(model, surface);
-    const std::vector<bool> again = torn_polygons(model, mesh, surface.origins, uv, chart);
-    BOOST_TEST(std::count(again.begin(), again.end(), true) == 0);
-    const Model_texture texture = model_texture(model, mesh, surface.origins, uv, chart);
-    for(const Halfedge h : mesh.halfedges()) {
-      if(!mesh.is_border(h)) {
-        BOOST_TEST(texture.uv[surface.origins.corners[h.idx()]] == uv(h));
-      }
-    }
-    // the polygons between statements are the same
-    BOOST_TEST_REQUIRE(model.statements.size() == before.statements.size());
-    for(std::size_t i = 0; i < model.statements.size(); ++i) {
-      const Index p = model.statements[i].polygon, q = before.statements[i].polygon;
-      BOOST_TEST(model.statements[i].text == before.statements[i].text);
-      BOOST_TEST_REQUIRE(p < model.number_of_polygons());
-      const auto begin = before.vertices.begin();
-      BOOST_TEST((std::find(begin + before.first_corners[q], begin + before.first_corners[q + 1],
-                            model.vertices[model.first_corners[p]]) != begin + before.first_corners[q + 1]));
-      BOOST_TEST(model.material(p) == before.material(q));
-    }
-  }
-}
-
 BOOST_AUTO_TEST_SUITE_END()
 
 BOOST_FIXTURE_TEST_SUITE(writing, Files)
@@ -769,48 +510,46 @@ BOOST_FIXTURE_TEST_SUITE(writing, Files)
 BOOST_AUTO_TEST_CASE(obj_has_all_that_was_there)
 {
   for(unsigned seed = 0; seed < 20; ++seed) {
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      const generated::Model given = generated::strip(seed, {seed % 2 == 0, seed % 3 != 0, seed % 4 != 3});
-      const Model model = read("model.obj", generated::obj_text(given, seed));
-      const Surface_of_model surface = separated_surface(model, notes);
-      write_model("flat.obj", model, own_texture(model, surface));
-      const Plain_obj obj(content("flat.obj"));
-      BOOST_TEST_REQUIRE(obj.lines.size() == given.lines.size());
-      for(std::size_t i = 0; i < obj.lines.size(); ++i) {
-        BOOST_TEST(obj.lines[i].statement == given.lines[i].statement);
-        const generated::Polygon& polygon = given.lines[i].polygon;
-        BOOST_TEST_REQUIRE(obj.lines[i].corners.size() == polygon.size());
-        for(std::size_t k = 0; k < polygon.size(); ++k) {
-          const Read_corner& corner = obj.lines[i].corners[k];
-          const auto& point = given.points[static_cast<std::size_t>(polygon[k].vertex)];
-          std::vector<double> uv, normal, all(point.begin(), point.end());
-          if(!given.colors.empty()) {
-            const auto& color = given.colors[static_cast<std::size_t>(polygon[k].vertex)];
-            all.insert(all.end(), color.begin(), color.end());
-          }
-          if(polygon[k].texture >= 0) {
-            const auto& t = given.texture[static_cast<std::size_t>(polygon[k].texture)];
-            uv.assign(t.begin(), t.end());
-          }
-          if(polygon[k].normal >= 0) {
-            const auto& n = given.normals[static_cast<std::size_t>(polygon[k].normal)];
-            normal.assign(n.begin(), n.end());
-          }
-          BOOST_TEST((corner.point == all && corner.uv == uv && corner.normal == normal));
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    const generated::Model given = generated::strip(seed, {seed % 2 == 0, seed % 3 != 0, seed % 4 != 3});
+    const Model model = read("model.obj", generated::obj_text(given, seed));
+    const Atlas_input surface = atlas_input_of(model, true, notes);
+    write_model("flat.obj", model, own_texture(model));
+    const Plain_obj obj(content("flat.obj"));
+    BOOST_TEST_REQUIRE(obj.lines.size() == given.lines.size());
+    for(std::size_t i = 0; i < obj.lines.size(); ++i) {
+      BOOST_TEST(obj.lines[i].statement == given.lines[i].statement);
+      const generated::Polygon& polygon = given.lines[i].polygon;
+      BOOST_TEST_REQUIRE(obj.lines[i].corners.size() == polygon.size());
+      for(std::size_t k = 0; k < polygon.size(); ++k) {
+        const Read_corner& corner = obj.lines[i].corners[k];
+        const auto& point = given.points[static_cast<std::size_t>(polygon[k].vertex)];
+        std::vector<double> uv, normal, all(point.begin(), point.end());
+        if(!given.colors.empty()) {
+          const auto& color = given.colors[static_cast<std::size_t>(polygon[k].vertex)];
+          all.insert(all.end(), color.begin(), color.end());
         }
+        if(polygon[k].texture >= 0) {
+          const auto& t = given.texture[static_cast<std::size_t>(polygon[k].texture)];
+          uv.assign(t.begin(), t.end());
+        }
+        if(polygon[k].normal >= 0) {
+          const auto& n = given.normals[static_cast<std::size_t>(polygon[k].normal)];
+          normal.assign(n.begin(), n.end());
+        }
+        BOOST_TEST((corner.point == all && corner.uv == uv && corner.normal == normal));
       }
-      // each texture coordinate once, though corners share some
-      BOOST_TEST(obj.texture.size() == given.texture.size());
-      BOOST_TEST(obj.points.size() == given.points.size());
     }
+    // each texture coordinate once, though corners share some
+    BOOST_TEST(obj.texture.size() == given.texture.size());
+    BOOST_TEST(obj.points.size() == given.points.size());
   }
 }
 
 BOOST_AUTO_TEST_CASE(corners_share_texture_coordinates_within_a_chart_only)
 {
   const Model model = read("two.obj", std::string(square) + "f 1 2 3\nf 1 3 4\n");
-  const Surface_of_model surface = separated_surface(model, notes);
+  const Atlas_input surface = atlas_input_of(model, true, notes);
   const auto uv = [&](const Halfedge h) {
     const Kernel::Point_3& point = surface.mesh.point(surface.mesh.target(h));
     return Kernel::Point_2(point.x(), point.y());
@@ -835,19 +574,17 @@ BOOST_AUTO_TEST_CASE(repaired_models_are_written_whole)
       read("rubbish.obj", std::string(square) +
                               "v 2 0 0\nv 2 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
                               "f 1/1 2/2 3/3 4/1\nf 1 1 2\nf 2/1 3/2 6/3 5/1\nf 4 3\nf 4 3 2 1\n");
-  const Surface_of_model surface = separated_surface(model, notes);
-  check_origins(model, surface, {1, 3}); // the last one is the back of the first
+  const Atlas_input surface = atlas_input_of(model, true, notes);
   for(const std::string format : {"obj", "ply"}) {
-    write_model("flat." + format, model, own_texture(model, surface));
+    write_model("flat." + format, model, own_texture(model));
     const Model again = read_model(file("flat." + format), Degenerate_faces::KEPT, notes);
     BOOST_TEST(again.points.size() == 6u);
     BOOST_TEST_REQUIRE(again.number_of_polygons() == 5u);
     for(Index p = 0; p < 5; ++p) {
       std::vector<Index> expected(model.vertices.begin() + model.first_corners[p],
                                   model.vertices.begin() + model.first_corners[p + 1]);
-      if(surface.origins.is_turned[p]) {
+      if(surface.origins.is_turned[p])
         std::reverse(expected.begin(), expected.end());
-      }
       const std::vector<Index> found(again.vertices.begin() + again.first_corners[p],
                                      again.vertices.begin() + again.first_corners[p + 1]);
       BOOST_TEST(found == expected, boost::test_tools::per_element());
@@ -862,40 +599,38 @@ BOOST_AUTO_TEST_CASE(repaired_models_are_written_whole)
 BOOST_AUTO_TEST_CASE(ply_is_read_back)
 {
   for(unsigned seed = 0; seed < 20; ++seed) {
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      const generated::Model given = generated::strip(seed, {seed % 2 == 0, false, true});
-      const Model model = read("model.obj", generated::obj_text(given, seed));
-      const Model_texture texture = own_texture(model, separated_surface(model, notes));
-      const std::string name = write_model("flat.ply", model, texture);
-      std::ifstream stream(name, std::ios::binary);
-      std::vector<Kernel::Point_3> points;
-      std::vector<std::vector<std::size_t>> polygons;
-      std::vector<CGAL::IO::Color> colors, face_colors;
-      const auto parameters = CGAL::parameters::vertex_color_output_iterator(std::back_inserter(colors))
-                                  .face_color_output_iterator(std::back_inserter(face_colors))
-                                  .verbose(false);
-      BOOST_TEST_REQUIRE(CGAL::IO::read_PLY(stream, points, polygons, parameters));
-      BOOST_TEST((points == model.points));
-      BOOST_TEST_REQUIRE(polygons.size() == model.number_of_polygons());
-      for(Index p = 0; p < model.number_of_polygons(); ++p) {
-        BOOST_TEST(std::equal(polygons[p].begin(), polygons[p].end(),
-                              model.vertices.begin() + model.first_corners[p],
-                              model.vertices.begin() + model.first_corners[p + 1]));
-      }
-      BOOST_TEST_REQUIRE(colors.size() == model.colors.size());
-      for(std::size_t v = 0; v < colors.size(); ++v) {
-        BOOST_TEST(colors[v].red() == std::lround(255 * model.colors[v][0]));
-        BOOST_TEST(colors[v].blue() == std::lround(255 * model.colors[v][2]));
-      }
-      const Model again = read_model(name, Degenerate_faces::REFUSED, notes);
-      for(Index c = 0; c < model.number_of_corners(); ++c) {
-        BOOST_TEST_REQUIRE((again.texture_point(c) != no_index) == texture.has_uv(c));
-        if(texture.has_uv(c)) {
-          const Kernel::Point_2& uv = again.texture[again.texture_point(c)];
-          BOOST_TEST(uv.x() == static_cast<float>(texture.uv[c].x()));
-          BOOST_TEST(uv.y() == static_cast<float>(texture.uv[c].y()));
-        }
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    const generated::Model given = generated::strip(seed, {seed % 2 == 0, false, true});
+    const Model model = read("model.obj", generated::obj_text(given, seed));
+    const Model_texture texture = own_texture(model);
+    const std::string name = write_model("flat.ply", model, texture);
+    std::ifstream stream(name, std::ios::binary);
+    std::vector<Kernel::Point_3> points;
+    std::vector<std::vector<std::size_t>> polygons;
+    std::vector<CGAL::IO::Color> colors, face_colors;
+    const auto parameters = CGAL::parameters::vertex_color_output_iterator(std::back_inserter(colors))
+                                .face_color_output_iterator(std::back_inserter(face_colors))
+                                .verbose(false);
+    BOOST_TEST_REQUIRE(CGAL::IO::read_PLY(stream, points, polygons, parameters));
+    BOOST_TEST((points == model.points));
+    BOOST_TEST_REQUIRE(polygons.size() == model.number_of_polygons());
+    for(Index p = 0; p < model.number_of_polygons(); ++p) {
+      BOOST_TEST(std::equal(polygons[p].begin(), polygons[p].end(),
+                            model.vertices.begin() + model.first_corners[p],
+                            model.vertices.begin() + model.first_corners[p + 1]));
+    }
+    BOOST_TEST_REQUIRE(colors.size() == model.colors.size());
+    for(std::size_t v = 0; v < colors.size(); ++v) {
+      BOOST_TEST(colors[v].red() == std::lround(255 * model.colors[v][0]));
+      BOOST_TEST(colors[v].blue() == std::lround(255 * model.colors[v][2]));
+    }
+    const Model again = read_model(name, Degenerate_faces::REFUSED, notes);
+    for(Index c = 0; c < model.number_of_corners(); ++c) {
+      BOOST_TEST_REQUIRE((again.texture_point(c) != no_index) == texture.has_uv(c));
+      if(texture.has_uv(c)) {
+        const Kernel::Point_2& uv = again.texture[again.texture_point(c)];
+        BOOST_TEST(uv.x() == static_cast<float>(texture.uv[c].x()));
+        BOOST_TEST(uv.y() == static_cast<float>(texture.uv[c].y()));
       }
     }
   }
@@ -910,7 +645,7 @@ BOOST_AUTO_TEST_CASE(ply_keeps_attributes_of_points)
                    "1\nproperty list uchar int vertex_indices\nend_header\n"
                    "0.1 0 0 0 0 1 1 2 3 4\n1 0 0 0 1 0 5 6 7 8\n0 1 0 1 0 0 9 10 11 12\n9 9 9 0 1 0 0 0 0 0\n"
                    "3 0 1 2\n");
-  const Model_texture texture = own_texture(model, separated_surface(model, notes));
+  const Model_texture texture = own_texture(model);
   write_model("flat.ply", model, texture);
   const Model again = read_model(file("flat.ply"), Degenerate_faces::REFUSED, notes);
   BOOST_TEST((again.points == model.points));
@@ -919,7 +654,7 @@ BOOST_AUTO_TEST_CASE(ply_keeps_attributes_of_points)
   BOOST_TEST(content("flat.ply").find("property double x") != std::string::npos);
 
   Model plain = read("plain.obj", std::string(square) + "vn 0 0 1\nf 1//1 2//1 3//1 4//1\n");
-  write_model("flat.ply", plain, own_texture(plain, separated_surface(plain, notes)));
+  write_model("flat.ply", plain, own_texture(plain));
   BOOST_TEST(content("flat.ply").find("property float x") != std::string::npos);
   BOOST_TEST(content("flat.ply").find("property float nx") != std::string::npos);
 }
@@ -936,18 +671,17 @@ BOOST_AUTO_TEST_CASE(ply_of_large_polygons)
     face += " " + std::to_string(i + 1) + "/" + std::to_string(i + 1);
   }
   const Model model = read("large.obj", text + face + "\n");
-  write_model("flat.ply", model, own_texture(model, separated_surface(model, notes)));
+  write_model("flat.ply", model, own_texture(model));
   const Model again = read_model(file("flat.ply"), Degenerate_faces::REFUSED, notes);
   BOOST_TEST_REQUIRE(again.number_of_corners() == static_cast<std::size_t>(n));
-  for(Index c = 0; c < static_cast<Index>(n); ++c) {
+  for(Index c = 0; c < static_cast<Index>(n); ++c)
     BOOST_TEST(again.texture[again.texture_point(c)].x() == static_cast<float>(model.texture[c].x()));
-  }
 }
 
 BOOST_AUTO_TEST_CASE(obj_is_read_back_by_CGAL)
 {
   const Model model = read("model.obj", generated::obj_text(generated::strip(1, {false, true, true}), 1));
-  write_model("flat.obj", model, own_texture(model, separated_surface(model, notes)));
+  write_model("flat.obj", model, own_texture(model));
   std::ifstream stream(file("flat.obj"));
   std::vector<Kernel::Point_3> points;
   std::vector<std::vector<std::size_t>> polygons;
@@ -970,7 +704,7 @@ BOOST_AUTO_TEST_CASE(material_files_are_found_from_other_folders)
   const std::string faces = std::string(square) + "f 1 2 3 4\n";
   const auto line_in = [&](const std::string& line, const std::string& name) {
     const Model model = read("model.obj", line + "\n" + faces);
-    write_model(name, model, own_texture(model, separated_surface(model, notes)));
+    write_model(name, model, own_texture(model));
     return Plain_obj(content(name)).lines.at(0).statement;
   };
   BOOST_TEST(line_in("mtllib paint.mtl", "flat.obj") == "mtllib paint.mtl");
@@ -988,12 +722,10 @@ Read_corner expected_corner(const Model& model, const Model_texture& texture, co
 {
   Read_corner corner;
   corner.point = numbers(model.points[model.vertices[c]]);
-  if(texture.has_uv(c)) {
+  if(texture.has_uv(c))
     corner.uv = numbers(texture.uv[c]);
-  }
-  if(model.normal(c) != no_index) {
+  if(model.normal(c) != no_index)
     corner.normal = numbers(model.normals[model.normal(c)]);
-  }
   if(!model.colors.empty()) {
     const Point_color& color = model.colors[model.vertices[c]];
     corner.color = {color[0], color[1], color[2]};
@@ -1012,12 +744,10 @@ std::vector<Read_face> expected_polygons(const Model& model, const Model_texture
   for(Index p = 0; p < model.number_of_polygons(); ++p) {
     Read_face face;
     face.material = material_name(model, p, "DefaultMaterial");
-    for(Index c = model.first_corners[p]; c < model.first_corners[p + 1]; ++c) {
+    for(Index c = model.first_corners[p]; c < model.first_corners[p + 1]; ++c)
       face.corners.push_back(expected_corner(model, texture, c));
-    }
-    if(texture.is_turned[p]) {
+    if(texture.is_turned[p])
       std::reverse(face.corners.begin(), face.corners.end());
-    }
     faces.push_back(face);
   }
   return faces;
@@ -1029,16 +759,14 @@ std::vector<Read_face> expected_polygons(const Model& model, const Model_texture
 BOOST_AUTO_TEST_CASE(obj_is_read_back_by_assimp)
 {
   for(unsigned seed = 0; seed < 10; ++seed) {
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      const generated::Model given =
-          generated::strip(seed, {seed % 2 == 0, seed % 3 != 0, seed % 4 != 3, true});
-      const Model model = read("model.obj", generated::obj_text(given, seed));
-      const Model_texture texture = own_texture(model, separated_surface(model, notes));
-      const auto found = faces_by_assimp(write_model("flat.obj", model, texture));
-      BOOST_TEST(found.size() == model.number_of_polygons());
-      BOOST_TEST(missing_faces(expected_polygons(model, texture), found, 1e-6) == 0u);
-    }
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    const generated::Model given =
+        generated::strip(seed, {seed % 2 == 0, seed % 3 != 0, seed % 4 != 3, true});
+    const Model model = read("model.obj", generated::obj_text(given, seed));
+    const Model_texture texture = own_texture(model);
+    const auto found = faces_by_assimp(write_model("flat.obj", model, texture));
+    BOOST_TEST(found.size() == model.number_of_polygons());
+    BOOST_TEST(missing_faces(expected_polygons(model, texture), found, 1e-6) == 0u);
   }
 }
 
@@ -1049,7 +777,7 @@ BOOST_AUTO_TEST_CASE(ply_is_read_back_by_assimp)
       read("model.obj", std::string(square) + "v 2 0 0\nv 2 1 0\nvt .25 0\nvt 1 0\nvt 1 1\nvt 0 "
                                               "1\nvt 2 0\nvt 2 1.5\n"
                                               "f 1/1 2/2 3/3 4/4\nf 2/2 5/5 6/6 3/3\n");
-  const Model_texture texture = own_texture(model, separated_surface(model, notes));
+  const Model_texture texture = own_texture(model);
   const auto found = faces_by_assimp(write_model("flat.ply", model, texture));
   BOOST_TEST(found.size() == 2u);
   Left_out left_out;
@@ -1081,12 +809,10 @@ std::vector<Read_face> expected_triangles(const Model& model, const Model_textur
       corner.uv.resize(has_uv ? 2 : 0);
       corner.normal.resize(has_normals ? 3 : 0);
       double length = 0;
-      for(const double x : corner.normal) {
+      for(const double x : corner.normal)
         length += x * x;
-      }
-      for(double& x : corner.normal) {
+      for(double& x : corner.normal)
         x /= std::sqrt(length);
-      }
     }
     faces.push_back(face);
   }
@@ -1098,16 +824,14 @@ std::vector<Read_face> expected_triangles(const Model& model, const Model_textur
 BOOST_AUTO_TEST_CASE(glb_is_read_back_by_assimp)
 {
   for(unsigned seed = 0; seed < 10; ++seed) {
-    BOOST_TEST_CONTEXT("seed " << seed)
-    {
-      const generated::Model given = generated::strip(seed, {seed % 2 == 0, seed % 3 != 0, seed % 4 != 3});
-      const Model model = read("model.obj", generated::obj_text(given, seed));
-      const Surface_of_model surface = separated_surface(model, notes);
-      const Model_texture texture = own_texture(model, surface);
-      const auto found = faces_by_assimp(write_model("flat.glb", model, texture));
-      BOOST_TEST(found.size() == surface.mesh.number_of_faces());
-      BOOST_TEST(missing_faces(expected_triangles(model, texture), found, 1e-6) == 0u);
-    }
+    BOOST_TEST_INFO_SCOPE("seed " << seed);
+    const generated::Model given = generated::strip(seed, {seed % 2 == 0, seed % 3 != 0, seed % 4 != 3});
+    const Model model = read("model.obj", generated::obj_text(given, seed));
+    const Atlas_input surface = atlas_input_of(model, true, notes);
+    const Model_texture texture = own_texture(model);
+    const auto found = faces_by_assimp(write_model("flat.glb", model, texture));
+    BOOST_TEST(found.size() == surface.mesh.number_of_faces());
+    BOOST_TEST(missing_faces(expected_triangles(model, texture), found, 1e-6) == 0u);
   }
 }
 
@@ -1117,7 +841,7 @@ BOOST_AUTO_TEST_CASE(glb_has_faces_that_are_left_out)
   Model model = read("model.obj", std::string(square) + "v 0 0 1\nv 0 1 1\nf 1 2 3\nf 1 3 4\nf 3 4 1\n"
                                                         "f 1 2 2\nf 1 5 6\n");
   model.points[5] = Kernel::Point_3(0, std::numeric_limits<double>::quiet_NaN(), 1);
-  const Model_texture texture = own_texture(model, separated_surface(model, notes));
+  const Model_texture texture = own_texture(model);
   const auto found = faces_by_assimp(write_model("flat.glb", model, texture));
   BOOST_TEST(found.size() == 4u);
   BOOST_TEST(missing_faces(expected_triangles(model, texture), found, 1e-6) == 0u);
@@ -1126,7 +850,7 @@ BOOST_AUTO_TEST_CASE(glb_has_faces_that_are_left_out)
 BOOST_AUTO_TEST_CASE(glb_has_colors_of_materials)
 {
   const Model model = read("model.obj", generated::obj_text(generated::strip(0), 0));
-  write_model("flat.glb", model, own_texture(model, separated_surface(model, notes)));
+  write_model("flat.glb", model, own_texture(model));
   Assimp::Importer importer;
   const aiScene* const scene = importer.ReadFile(file("flat.glb"), 0);
   BOOST_TEST_REQUIRE(scene != nullptr);
@@ -1152,8 +876,7 @@ BOOST_AUTO_TEST_CASE(material_files_that_are_devices_are_not_read)
 BOOST_AUTO_TEST_CASE(glb_with_any_name_of_material)
 {
   const Model model = read("model.obj", std::string(square) + "usemtl gr\xFCn \"x\"\nf 1 2 3 4\n");
-  const auto found =
-      faces_by_assimp(write_model("flat.glb", model, own_texture(model, separated_surface(model, notes))));
+  const auto found = faces_by_assimp(write_model("flat.glb", model, own_texture(model)));
   BOOST_TEST_REQUIRE(found.size() == 2u);
   BOOST_TEST(found[0].material == "grn \"x\"");
 }
@@ -1197,9 +920,8 @@ std::vector<Read_face> faces_of(const Model& model)
     for(Index c = model.first_corners[p]; c < model.first_corners[p + 1]; ++c) {
       Read_corner corner;
       corner.point = numbers(model.points[model.vertices[c]]);
-      if(model.texture_point(c) != no_index) {
+      if(model.texture_point(c) != no_index)
         corner.uv = numbers(model.texture[model.texture_point(c)]);
-      }
       face.corners.push_back(corner);
     }
     faces.push_back(face);
@@ -1274,12 +996,10 @@ BOOST_AUTO_TEST_CASE(glb_has_the_texture_of_obj)
     for(const Read_face& face : faces) {
       for(const Read_corner& corner : face.corners) {
         std::vector<float> numbers;
-        for(const double x : corner.point) {
+        for(const double x : corner.point)
           numbers.push_back(static_cast<float>(x));
-        }
-        for(const double x : corner.uv) { // without the last digits, of which 1 - v loses some
+        for(const double x : corner.uv) // without the last digits, of which 1 - v loses some
           numbers.push_back(std::round(static_cast<float>(x) * 1000));
-        }
         all.insert(numbers);
       }
     }

@@ -28,9 +28,8 @@ inline std::string obj_ball(const double radius, const double x, const std::uint
     const std::array<float, 3> p = {ball.points[i], ball.points[i + 1], ball.points[i + 2]};
     const auto [place, is_new] = numbers.emplace(p, numbers.size() + 1);
     vertex.push_back(place->second);
-    if(is_new) {
+    if(is_new)
       text << "v " << x + radius * p[0] << ' ' << radius * p[1] << ' ' << radius * p[2] << '\n';
-    }
   }
   for(std::size_t i = 0; i < ball.triangles.size(); i += 3) {
     text << "f " << vertex[ball.triangles[i]] << ' ' << vertex[ball.triangles[i + 1]] << ' '
@@ -47,9 +46,8 @@ struct Models : Folder
   void flatten_together(const Lines& inputs, const std::string& options)
   {
     std::string words;
-    for(const std::string& input : inputs) {
+    for(const std::string& input : inputs)
       words += quoted(file(input)) + " ";
-    }
     run(words + "--one-atlas --json " + quoted(file("flat.json")) + " " + options);
     asks_for_json = true;
   }
@@ -93,25 +91,22 @@ BOOST_AUTO_TEST_CASE(models_share_the_page)
   std::vector<double> density;
   std::vector<Textured_face> all;
   for(std::size_t i = 0; i < inputs.size(); ++i) {
-    BOOST_TEST_CONTEXT(inputs[i])
-    {
-      const std::vector<Textured_face> given = read_textured(file(inputs[i])),
-                                       faces = read_textured(model(i).get<std::string>("output"));
-      BOOST_TEST(given.size() == faces.size());
-      BOOST_TEST(textured::area(given) == textured::area(faces), boost::test_tools::tolerance(0.02));
-      if(i < 2) { // of triangles; polygons may be divided in other ways
-        BOOST_TEST((textured::corners_of(given) == textured::corners_of(faces)));
-      }
-      BOOST_TEST(model(i).get<std::string>("input") == file(inputs[i]));
-      BOOST_TEST(model(i).get<std::size_t>("triangles") == faces.size());
-      BOOST_TEST(model(i).get<std::size_t>("first_chart") == charts);
-      BOOST_TEST(model(i).get<std::size_t>("charts") > 0u);
-      BOOST_TEST(model(i).get_child("skipped").size() == 0u);
-      charts += model(i).get<std::size_t>("charts");
-      triangles += faces.size();
-      density.push_back(textured::planar_area(faces) / textured::area(faces));
-      all.insert(all.end(), faces.begin(), faces.end());
-    }
+    BOOST_TEST_INFO_SCOPE(inputs[i]);
+    const std::vector<Textured_face> given = read_textured(file(inputs[i])),
+                                     faces = read_textured(model(i).get<std::string>("output"));
+    BOOST_TEST(given.size() == faces.size());
+    BOOST_TEST(textured::area(given) == textured::area(faces), boost::test_tools::tolerance(0.02));
+    if(i < 2) // of triangles; polygons may be divided in other ways
+      BOOST_TEST((textured::corners_of(given) == textured::corners_of(faces)));
+    BOOST_TEST(model(i).get<std::string>("input") == file(inputs[i]));
+    BOOST_TEST(model(i).get<std::size_t>("triangles") == faces.size());
+    BOOST_TEST(model(i).get<std::size_t>("first_chart") == charts);
+    BOOST_TEST(model(i).get<std::size_t>("charts") > 0u);
+    BOOST_TEST(model(i).get_child("skipped").size() == 0u);
+    charts += model(i).get<std::size_t>("charts");
+    triangles += faces.size();
+    density.push_back(textured::planar_area(faces) / textured::area(faces));
+    all.insert(all.end(), faces.begin(), faces.end());
   }
   BOOST_TEST(json().get_child("atlas.charts").size() == charts);
   BOOST_TEST(json().get<std::size_t>("triangles") == triangles);
@@ -120,9 +115,8 @@ BOOST_AUTO_TEST_CASE(models_share_the_page)
   BOOST_TEST(textured::number_of_shared_texels(all, 256) == 0u);
   BOOST_TEST(content(out("small.glb")).find("\"wood\"") != std::string::npos);
   BOOST_TEST(content(out("strip.glb")).find("\"red paint\"") != std::string::npos);
-  for(const std::string& input : inputs) {
+  for(const std::string& input : inputs)
     BOOST_TEST(standard_output.find(file(input)) != std::string::npos);
-  }
 }
 
 // As if all were in one file
@@ -133,30 +127,26 @@ BOOST_AUTO_TEST_CASE(the_same_as_of_one_file)
   write("second.obj", second);
   std::string both = first;
   const std::size_t vertices = lines_with(first, "v").size();
-  for(const std::string& line : lines_with(second, "v")) {
+  for(const std::string& line : lines_with(second, "v"))
     both += "v " + line + "\n";
-  }
   for(const std::string& line : lines_with(second, "f")) {
     std::istringstream words(line);
     both += "f";
-    for(std::size_t v = 0; words >> v;) {
+    for(std::size_t v = 0; words >> v;)
       both += " " + std::to_string(v + vertices);
-    }
     both += "\n";
   }
   for(const std::string options : {"", "--seams creases:20", "--for conformal --no-pack"}) {
-    BOOST_TEST_CONTEXT(options)
-    {
-      flatten(write("both.obj", both), options);
-      BOOST_TEST_REQUIRE(status == 0, standard_error);
-      const auto expected = textured::texture_of(read_textured(file("flat.obj")));
-      flatten_together({"first.obj", "second.obj"}, "--output " + quoted(out("%.obj")) + " " + options);
-      BOOST_TEST_REQUIRE(status == 0, standard_error);
-      auto found = textured::texture_of(read_textured(out("first.obj")));
-      const auto rest = textured::texture_of(read_textured(out("second.obj")));
-      found.insert(found.end(), rest.begin(), rest.end());
-      BOOST_TEST((expected == found));
-    }
+    BOOST_TEST_INFO_SCOPE(options);
+    flatten(write("both.obj", both), options);
+    BOOST_TEST_REQUIRE(status == 0, standard_error);
+    const auto expected = textured::texture_of(read_textured(file("flat.obj")));
+    flatten_together({"first.obj", "second.obj"}, "--output " + quoted(out("%.obj")) + " " + options);
+    BOOST_TEST_REQUIRE(status == 0, standard_error);
+    auto found = textured::texture_of(read_textured(out("first.obj")));
+    const auto rest = textured::texture_of(read_textured(out("second.obj")));
+    found.insert(found.end(), rest.begin(), rest.end());
+    BOOST_TEST((expected == found));
   }
 }
 
@@ -260,12 +250,10 @@ BOOST_AUTO_TEST_CASE(one_wrong_file_is_named)
   write("no_face.obj", "v 0 0 0\n");
   const std::string outputs = "--output " + quoted(out("%.obj")) + " --svg " + quoted(file("flat.svg"));
   for(const std::string wrong : {"short.ply", "no_face.obj", "missing.obj"}) {
-    BOOST_TEST_CONTEXT(wrong)
-    {
-      flatten_together({"good.obj", wrong}, outputs);
-      check_refusal({wrong});
-      BOOST_TEST(files_in_out() == 0u);
-    }
+    BOOST_TEST_INFO_SCOPE(wrong);
+    flatten_together({"good.obj", wrong}, outputs);
+    check_refusal({wrong});
+    BOOST_TEST(files_in_out() == 0u);
   }
 }
 
@@ -286,12 +274,10 @@ BOOST_AUTO_TEST_CASE(options_that_mean_nothing)
        {"--output " + quoted(file("%.obj")), "would overwrite the input"},
        {"--svg " + quoted(file("b.obj")), "b.obj"},
        {quoted(file("other/a.obj")) + " --output " + quoted(out("%.obj")), "inputs with the same name"}}) {
-    BOOST_TEST_CONTEXT(options)
-    {
-      flatten_together({"a.obj", "b.obj"}, options);
-      check_refusal({word});
-      BOOST_TEST(files_in_out() == 0u);
-    }
+    BOOST_TEST_INFO_SCOPE(options);
+    flatten_together({"a.obj", "b.obj"}, options);
+    check_refusal({word});
+    BOOST_TEST(files_in_out() == 0u);
   }
 }
 

@@ -20,11 +20,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <regex>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(test_polygons)
@@ -39,9 +37,8 @@ constexpr auto none_taken = [](Index, Index) { return false; };
 std::vector<Kernel::Point_3> points_of(const std::vector<random_polygons::Point>& polygon)
 {
   std::vector<Kernel::Point_3> points;
-  for(const random_polygons::Point& p : polygon) {
+  for(const random_polygons::Point& p : polygon)
     points.emplace_back(p[0], p[1], p[2]);
-  }
   return points;
 }
 
@@ -89,11 +86,9 @@ struct Fans
   {
     for(Index p = 0; p < model.number_of_polygons(); ++p) {
       std::vector<Kernel::Point_2> polygon;
-      for(Index c = model.first_corners[p]; c < model.first_corners[p + 1]; ++c) {
-        if(model.texture_point(c) != no_index) {
+      for(Index c = model.first_corners[p]; c < model.first_corners[p + 1]; ++c)
+        if(model.texture_point(c) != no_index)
           polygon.push_back(model.texture[model.texture_point(c)]);
-        }
-      }
       without += polygon.size() != model.size(p);
       if(polygon.size() == model.size(p)) {
         kept += polygon.size() > 3;
@@ -110,9 +105,8 @@ struct Fans
         const std::array<Kernel::Point_2, 3> triangle = {polygon[first], polygon[(first + i) % size],
                                                          polygon[(first + i + 1) % size]};
         flips += CGAL::orientation(triangle[0], triangle[1], triangle[2]) != CGAL::LEFT_TURN;
-        if(first == 0) {
+        if(first == 0)
           triangles.push_back(triangle);
-        }
       }
     }
   }
@@ -122,24 +116,20 @@ struct Fans
   // Whether a side of the first triangle has the second on its other side
   static bool is_beside(const Triangle& s, const Triangle& t)
   {
-    for(std::size_t i = 0; i < 3; ++i) {
+    for(std::size_t i = 0; i < 3; ++i)
       if(std::none_of(t.begin(), t.end(), [&](const Kernel::Point_2& p) {
            return CGAL::orientation(s[i], s[(i + 1) % 3], p) == CGAL::LEFT_TURN;
-         })) {
+         }))
         return true;
-      }
-    }
     return false;
   }
 
   std::size_t overlaps() const
   {
     std::size_t count = 0;
-    for(auto s = triangles.begin(); s != triangles.end(); ++s) {
-      for(auto t = triangles.begin(); t != s; ++t) {
+    for(auto s = triangles.begin(); s != triangles.end(); ++s)
+      for(auto t = triangles.begin(); t != s; ++t)
         count += !is_beside(*s, *t) && !is_beside(*t, *s);
-      }
-    }
     return count;
   }
 
@@ -202,15 +192,13 @@ BOOST_AUTO_TEST_CASE(triangles_are_inside_of_simple_polygons)
       BOOST_TEST(a > 0);
       sum += a;
     }
-    for(Index k = 0; k < size; ++k) {
+    for(Index k = 0; k < size; ++k)
       expected += area(Kernel::Point_3(0, 0, 5), points[k], points[(k + 1) % size]);
-    }
     BOOST_TEST(std::abs(sum - expected) < 1e-12);
     for(Index c = 0; c < triangles.corners.size() && size > 4; ++c) {
       const Index o = triangles.opposites[c];
-      if(o == no_index) {
+      if(o == no_index)
         continue;
-      }
       const auto corner = [&](const Index d, const Index step) {
         const Kernel::Point_3& p = points[triangles.corners[d / 3 * 3 + (d + step) % 3]];
         return Kernel::Point_2(p.x(), p.y());
@@ -235,13 +223,11 @@ BOOST_AUTO_TEST_CASE(straight_runs_and_bridges_take_no_flat_triangles)
   std::vector<Kernel::Point_3> points;
   const auto add = [&points](const double x, const double y) { points.emplace_back(x, y, 3 * x - 5 * y); };
   for(const auto& [x, y] : std::vector<std::array<double, 2>>{
-          {0, 0}, {1, 0}, {2, 0}, {4, 0}, {4, 1}, {4, 3}, {4, 4}, {1, 4}, {0, 4}, {0, 3}, {0, 2}}) {
+          {0, 0}, {1, 0}, {2, 0}, {4, 0}, {4, 1}, {4, 3}, {4, 4}, {1, 4}, {0, 4}, {0, 3}, {0, 2}})
     add(x, y);
-  }
   for(const auto& [x, y] : std::vector<std::array<double, 2>>{
-          {1, 1}, {1, 2}, {1, 3}, {3, 3}, {3, 2}, {3, 1}, {2, 1}, {1, 1}, {0, 2}}) {
+          {1, 1}, {1, 2}, {1, 3}, {3, 3}, {3, 2}, {3, 1}, {2, 1}, {1, 1}, {0, 2}})
     add(x, y); // the hole runs the other way
-  }
   const auto size = static_cast<Index>(points.size());
   const Polygon_triangles triangles = triangulate_polygon(points, none_taken);
   BOOST_TEST(is_triangulation(triangles, size));
@@ -264,9 +250,8 @@ BOOST_AUTO_TEST_CASE(polygons_may_have_very_many_corners)
     circle.emplace_back(std::cos(turn), std::sin(turn), std::cos(turn));
     knot.emplace_back(std::cos(7 * turn), std::sin(3 * turn), std::cos(2 * turn));
   }
-  for(const auto& points : {circle, knot}) {
+  for(const auto& points : {circle, knot})
     BOOST_TEST(is_triangulation(triangulate_polygon(points, none_taken), size));
-  }
 }
 
 BOOST_AUTO_TEST_CASE(coordinates_may_be_very_large_or_small)
@@ -275,9 +260,8 @@ BOOST_AUTO_TEST_CASE(coordinates_may_be_very_large_or_small)
   for(const double factor : {1e300, 1e-300, 5e-324}) {
     for(int i = 0; i < 100; ++i) {
       std::vector<Kernel::Point_3> points;
-      for(const random_polygons::Point& p : random_polygons::polygon(static_cast<Kind>(i % 4), random)) {
+      for(const random_polygons::Point& p : random_polygons::polygon(static_cast<Kind>(i % 4), random))
         points.emplace_back(factor * p[0], factor * p[1], factor * p[2]);
-      }
       BOOST_TEST(
           is_triangulation(triangulate_polygon(points, none_taken), static_cast<Index>(points.size())));
     }
@@ -303,9 +287,8 @@ BOOST_AUTO_TEST_CASE(taken_diagonals_are_avoided)
     bool has_free_fan = false;
     for(Index v = 0; v < size; ++v) {
       bool is_free = true;
-      for(Index step = 2; step + 1 < size; ++step) {
+      for(Index step = 2; step + 1 < size; ++step)
         is_free = is_free && !is_taken(v, (v + step) % size);
-      }
       has_free_fan = has_free_fan || is_free;
     }
     if(triangles.corners.empty()) {
@@ -327,9 +310,8 @@ BOOST_AUTO_TEST_CASE(all_polygons_of_a_model_have_their_triangles)
 {
   random_polygons::Random random(5);
   std::vector<std::vector<Kernel::Point_3>> polygons;
-  for(int i = 0; i < 10000; ++i) {
+  for(int i = 0; i < 10000; ++i)
     polygons.push_back(points_of(random_polygons::polygon(static_cast<Kind>(i % 4), random)));
-  }
   Command_line command;
   command.quiet = true;
   Notes notes = notes_of(command);
@@ -337,9 +319,8 @@ BOOST_AUTO_TEST_CASE(all_polygons_of_a_model_have_their_triangles)
   const Atlas_input input = atlas_input_of(model, false, notes);
   BOOST_TEST(input.set_aside.empty());
   std::vector<Index> triangles(polygons.size(), 0);
-  for(const Index p : polygons_of_faces(input.model, input.mesh, input.origins)) {
+  for(const Index p : polygons_of_faces(input.model, input.mesh, input.origins))
     ++triangles[p];
-  }
   std::set<Index> corners;
   for(const Halfedge h : input.mesh.halfedges()) {
     const Index corner = input.origins.corners[h.idx()];
@@ -392,11 +373,9 @@ BOOST_FIXTURE_TEST_CASE(polygons_that_were_lost_are_kept, Program)
       "v 0 0 0\nv 1 0 0\nv 1 0 -1\nv 0 0 -1\nv .5 .5 -1\nf 1 2 3 4 5\n"};
   for(const std::string& model : models) {
     const std::string input = write("polygon.obj", model);
-    for(const std::string options : {"", "--plain", "--for few-charts"}) {
-      for(const std::string output : {"flat.obj", "flat.ply"}) {
+    for(const std::string options : {"", "--plain", "--for few-charts"})
+      for(const std::string output : {"flat.obj", "flat.ply"})
         check(input, output, options);
-      }
-    }
   }
 }
 
@@ -438,15 +417,13 @@ BOOST_FIXTURE_TEST_CASE(caps_with_720_corners_are_drawn_alike, Program)
   }
   for(const int z : {0, 1}) {
     text << 'f';
-    for(int i = 0; i < size; ++i) {
+    for(int i = 0; i < size; ++i)
       text << ' ' << 2 * (z == 1 ? i : size - 1 - i) + 1 + z;
-    }
     text << '\n';
   }
   const std::string input = write("prism.obj", text.str());
-  for(const std::string output : {"flat.obj", "flat.ply"}) {
+  for(const std::string output : {"flat.obj", "flat.ply"})
     check(input, output, "--for conformal");
-  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

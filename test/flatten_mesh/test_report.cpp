@@ -19,56 +19,34 @@
 BOOST_AUTO_TEST_SUITE(test_report)
 
 using Point = std::array<double, 3>;
-using Uv = std::array<double, 2>;
-
-struct Corner
-{
-  Point point;
-  Uv uv;
-};
 
 template <std::size_t n>
 double distance(const std::array<double, n>& p, const std::array<double, n>& q)
 {
   double squares = 0;
-  for(std::size_t i = 0; i < n; ++i) {
+  for(std::size_t i = 0; i < n; ++i)
     squares += (p[i] - q[i]) * (p[i] - q[i]);
-  }
   return std::sqrt(squares);
 }
 
-// The corners of each face of an OBJ text; none for a face without texture coordinates. Points are relative to the
-// centre of the box of those that faces have.
-inline std::vector<std::vector<Corner>> corners_of_faces(const std::string& text)
+// Points are relative to the centre of the box of all.
+inline Obj_faces centered_corners_of(const std::string& obj)
 {
-  const std::vector<double> points = numbers(lines_with(text, "v")),
-                            texture = numbers(lines_with(text, "vt"));
   const double infinity = std::numeric_limits<double>::infinity();
   Point low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
-  std::vector<std::vector<Corner>> faces;
-  for(const std::string& line : lines_with(text, "f")) {
-    faces.emplace_back();
-    std::istringstream words(line);
-    for(std::string word; words >> word;) {
-      const std::size_t v = 3 * (std::stoul(word) - 1), slash = word.find('/');
-      const Point p = {points.at(v), points.at(v + 1), points.at(v + 2)};
-      for(std::size_t i = 0; i < 3; ++i) {
-        low[i] = (std::min)(low[i], p[i]);
-        high[i] = (std::max)(high[i], p[i]);
-      }
-      if(slash != std::string::npos) {
-        const std::size_t t = 2 * (std::stoul(word.substr(slash + 1)) - 1);
-        faces.back().push_back({p, {texture.at(t), texture.at(t + 1)}});
-      }
+  Obj_faces faces = corners_of(obj);
+  const auto for_each_coordinate = [&faces](const auto& change) {
+    for(std::vector<Obj_corner>& face : faces) {
+      for(Obj_corner& corner : face)
+        for(std::size_t i = 0; i < 3; ++i)
+          change(corner.point[i], i);
     }
-  }
-  for(std::vector<Corner>& face : faces) {
-    for(Corner& corner : face) {
-      for(std::size_t i = 0; i < 3; ++i) {
-        corner.point[i] -= (low[i] + high[i]) / 2;
-      }
-    }
-  }
+  };
+  for_each_coordinate([&](const double x, const std::size_t i) {
+    low[i] = (std::min)(low[i], x);
+    high[i] = (std::max)(high[i], x);
+  });
+  for_each_coordinate([&](double& x, const std::size_t i) { x -= (low[i] + high[i]) / 2; });
   return faces;
 }
 
@@ -85,24 +63,23 @@ struct Report_folder : public Folder
   // plane, and whether these triangles cover all faces with charts
   void check_triangles(const Report_page& page) const
   {
-    const std::vector<std::vector<Corner>> faces = corners_of_faces(obj());
+    const Obj_faces faces = centered_corners_of(obj());
     std::vector<std::size_t> triangles_of_face(faces.size(), 0);
     std::size_t wrong = 0;
     for(std::size_t t = 0; t < page.number_of_triangles(); ++t) {
       BOOST_TEST_REQUIRE(page.faces[t] < faces.size());
-      const std::vector<Corner>& face = faces[page.faces[t]];
+      const std::vector<Obj_corner>& face = faces[page.faces[t]];
       triangles_of_face[page.faces[t]] += page.charts[t] >= 0;
       for(std::size_t c = 3 * t; c < 3 * t + 3 && page.charts[t] >= 0; ++c) {
-        wrong += std::none_of(face.begin(), face.end(), [&](const Corner& corner) {
+        wrong += std::none_of(face.begin(), face.end(), [&](const Obj_corner& corner) {
           return distance(corner.point, page.point(c)) < 1e-5 * (1 + distance(corner.point, Point())) &&
-                 distance(corner.uv, page.uv(c)) < 1e-6 * (1 + distance(corner.uv, Uv()));
+                 std::abs(corner.uv - page.uv(c)) < 1e-6 * (1 + std::abs(corner.uv));
         });
       }
     }
     BOOST_TEST(wrong == 0u);
-    for(std::size_t f = 0; f < faces.size(); ++f) {
-      BOOST_TEST(triangles_of_face[f] == (faces[f].empty() ? 0u : faces[f].size() - 2));
-    }
+    for(std::size_t f = 0; f < faces.size(); ++f)
+      BOOST_TEST(triangles_of_face[f] == (faces[f][0].texture < 0 ? 0u : faces[f].size() - 2));
   }
 };
 
@@ -117,18 +94,16 @@ struct Independent_measures
     for(std::size_t i = 0; i < 3; ++i) {
       const std::size_t a = 3 * t + (i + 1) % 3, b = 3 * t + (i + 2) % 3;
       space[i] = std::pow(distance(page.point(a), page.point(b)), 2);
-      plane[i] = std::pow(distance(page.uv(a), page.uv(b)), 2);
+      plane[i] = std::pow(std::abs(page.uv(a) - page.uv(b)), 2);
     }
-    for(std::size_t i = 0; i < 3; ++i) {
+    for(std::size_t i = 0; i < 3; ++i)
       angle_change += std::abs(angle(space, i) - angle(plane, i)) / 3 * 180 / CGAL_PI;
-    }
     const double factor = std::abs(page.planar_area(t)) / page.area(t);
     area_change = std::log2(factor / std::pow(page.json.get<double>("scale"), 2));
     // The sum of the squares of the two stretches, by the cotangents of one triangle and the sides of the other
     double squares = 0;
-    for(std::size_t i = 0; i < 3; ++i) {
+    for(std::size_t i = 0; i < 3; ++i)
       squares += plane[i] / std::tan(angle(space, i)) / (2 * page.area(t));
-    }
     const double half = squares / factor / 2;
     stretch_ratio = half + std::sqrt((std::max)(half * half - 1, 0.));
   }
@@ -151,9 +126,8 @@ inline void check_measures(const Report_page& page)
                !(std::abs(page.measures[1][t] - expected.area_change) < 0.01) ||
                !(std::abs(page.measures[2][t] - expected.stretch_ratio) < 0.01 * expected.stretch_ratio);
     } else {
-      for(std::size_t i = 0; i < 3; ++i) {
+      for(std::size_t i = 0; i < 3; ++i)
         wrong += !std::isnan(page.measures[i][t]);
-      }
     }
   }
   BOOST_TEST(wrong == 0u);
@@ -177,9 +151,8 @@ inline void check_histogram(const Report_page& page, const std::size_t measure)
   const Report_page::Tree& tree = page.measure(measure);
   const double first = tree.get<double>("histogram.first"), width = tree.get<double>("histogram.width");
   std::vector<double> shares, expected;
-  for(const auto& share : tree.get_child("histogram.shares")) {
+  for(const auto& share : tree.get_child("histogram.shares"))
     shares.push_back(share.second.get_value<double>());
-  }
   expected.assign(shares.size(), 0);
   double total = 0, sum = 0;
   for(std::size_t t = 0; t < page.number_of_triangles(); ++t) {
@@ -207,11 +180,9 @@ inline void check_worst(const Report_page& page, const std::size_t measure)
   const Report_page::Tree& tree = page.measure(measure);
   const double best = tree.get<double>("best");
   std::vector<double> all;
-  for(const float value : page.measures[measure]) {
-    if(std::isfinite(value)) {
+  for(const float value : page.measures[measure])
+    if(std::isfinite(value))
       all.push_back(std::abs(value - best));
-    }
-  }
   std::sort(all.rbegin(), all.rend());
   BOOST_TEST(tree.get_child("worst").size() == (std::min)(all.size(), std::size_t(20)));
   auto expected = all.begin();
@@ -231,9 +202,8 @@ inline void check_borders(const Report_page& page)
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> triangles_of_side;
   for(std::size_t c = 0; c < page.triangles.size(); ++c) {
     const std::size_t next = c % 3 == 2 ? c - 2 : c + 1;
-    if(page.charts[c / 3] >= 0) {
+    if(page.charts[c / 3] >= 0)
       ++triangles_of_side[{page.triangles[c], page.triangles[next]}];
-    }
   }
   std::set<std::pair<std::uint32_t, std::uint32_t>> borders;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> seams_of_edge;
@@ -244,11 +214,9 @@ inline void check_borders(const Report_page& page)
     seams_of_edge[std::minmax({page.wedge_points[a], page.wedge_points[b]})].push_back(page.borders[i + 2]);
   }
   BOOST_TEST(3 * borders.size() == page.borders.size());
-  for(const auto& [side, count] : triangles_of_side) {
-    if(count > 0 && borders.count(side) == 0) {
+  for(const auto& [side, count] : triangles_of_side)
+    if(count > 0 && borders.count(side) == 0)
       BOOST_TEST((triangles_of_side.count({side.second, side.first}) == 1u));
-    }
-  }
   for(const auto& [edge, seams] : seams_of_edge) {
     const bool is_seam = seams.front() != 0xffffffffu;
     BOOST_TEST((seams.size() == 1 || (seams.size() == 2 && is_seam && seams[0] == seams[1])));
@@ -296,9 +264,8 @@ BOOST_AUTO_TEST_CASE(atlas_of_quadrangles)
   BOOST_TEST(std::abs(mean_by_area(page, 0) - json().get<double>("atlas.mean_angle_change") * 180 / CGAL_PI) <
              1e-3);
   BOOST_TEST(std::abs(mean_by_area(page, 2) - json().get<double>("atlas.mean_quasi_conformal_ratio")) < 1e-4);
-  for(const float x : page.wedge_uv) {
+  for(const float x : page.wedge_uv)
     BOOST_TEST((x >= 0 && x <= 1));
-  }
 }
 
 BOOST_AUTO_TEST_CASE(several_charts)
@@ -315,24 +282,20 @@ BOOST_AUTO_TEST_CASE(several_charts)
     const auto& charts = page.json.get_child("charts");
     BOOST_TEST(charts.size() == json().get_child("atlas.charts").size());
     std::vector<std::size_t> triangles(charts.size(), 0);
-    for(const std::int32_t chart : page.charts) {
-      if(chart >= 0) {
+    for(const std::int32_t chart : page.charts)
+      if(chart >= 0)
         ++triangles.at(static_cast<std::size_t>(chart));
-      }
-    }
     std::size_t i = 0;
-    for(const auto& chart : charts) {
+    for(const auto& chart : charts)
       BOOST_TEST(chart.second.get<std::size_t>("triangles") == triangles[i++]);
-    }
   }
 }
 
 BOOST_AUTO_TEST_CASE(repaired_surfaces)
 {
   Block block = sphere();
-  for(std::size_t f = 0; f < block.faces.size(); f += 3) {
+  for(std::size_t f = 0; f < block.faces.size(); f += 3)
     std::reverse(block.faces[f].begin(), block.faces[f].end());
-  }
   const Report_page page = report(write("turned.off", block.text()));
   BOOST_TEST(status == 0);
   check_triangles(page);
@@ -410,9 +373,8 @@ BOOST_AUTO_TEST_CASE(names_are_text_wherever_they_stand)
     for(const std::string tag : {"<script", "</script", "<!--"}) { // no more than for other names
       const auto count = [&tag](const std::string& text) {
         std::size_t n = 0;
-        for(std::size_t i = text.find(tag); i != std::string::npos; i = text.find(tag, i + 1)) {
+        for(std::size_t i = text.find(tag); i != std::string::npos; i = text.find(tag, i + 1))
           ++n;
-        }
         return n;
       };
       const std::string plain_name = file("plain.off");
@@ -429,9 +391,8 @@ BOOST_AUTO_TEST_CASE(large_and_small_coordinates)
     std::string text = "OFF\n5 4 0\n";
     for(const char* point : {"0 0 1", "1 0 0", "0 1 0", "-1 0 0", "0 -1 0"}) {
       std::istringstream words(point);
-      for(std::string word; words >> word;) {
+      for(std::string word; words >> word;)
         text += word + (word == "0" ? "" : exponent) + " ";
-      }
       text += "\n";
     }
     for(const std::string options : {"", "--units world", "--plain"}) {
@@ -447,9 +408,8 @@ BOOST_AUTO_TEST_CASE(same_page_with_any_number_of_threads)
 {
   const std::string input = write("ball.off", sphere().text());
   std::set<std::string> pages;
-  for(const char* threads : {"1", "2", "3"}) {
+  for(const char* threads : {"1", "2", "3"})
     pages.insert(report(input, std::string("--threads ") + threads).text);
-  }
   BOOST_TEST(pages.size() == 1u);
 }
 
@@ -474,7 +434,7 @@ BOOST_AUTO_TEST_CASE(files_of_reports)
   run(a + " --report -");
   BOOST_TEST(status == 0);
   BOOST_TEST(Report_page(standard_output).json.get<std::string>("title") == "a.off");
-  BOOST_TEST((standard_error.find("written") != std::string::npos));
+  check_told("written");
 }
 
 BOOST_AUTO_TEST_CASE(a_hundred_thousand_triangles_take_twelve_megabytes)
@@ -513,191 +473,12 @@ BOOST_AUTO_TEST_CASE(are_thinned)
 
 BOOST_AUTO_TEST_SUITE_END()
 
-BOOST_FIXTURE_TEST_SUITE(thinning, Report_folder)
-
-namespace fm = flatten_mesh;
-
-// What a page shows, to be thinned here
-inline fm::Wedge_mesh mesh_of_page(const Report_page& page)
-{
-  fm::Wedge_mesh mesh;
-  for(std::size_t i = 0; i < page.points.size(); i += 3) {
-    mesh.points.emplace_back(page.points[i], page.points[i + 1], page.points[i + 2]);
-  }
-  mesh.wedge_points = page.wedge_points;
-  for(std::size_t i = 0; i < page.wedge_uv.size(); i += 2) {
-    mesh.wedge_uv.emplace_back(page.wedge_uv[i], page.wedge_uv[i + 1]);
-  }
-  for(std::size_t c = 0; c < page.triangles.size(); c += 3) {
-    mesh.triangles.push_back({page.triangles[c], page.triangles[c + 1], page.triangles[c + 2]});
-  }
-  mesh.charts.assign(page.charts.begin(), page.charts.end());
-  for(std::size_t i = 0; i < page.borders.size(); i += 3) {
-    mesh.borders.push_back({{page.borders[i], page.borders[i + 1]}, static_cast<int>(page.borders[i + 2])});
-  }
-  return mesh;
-}
-
-using Places = std::vector<std::pair<fm::Kernel::Point_3, fm::Kernel::Point_2>>;
-
-inline Places places_of(const fm::Wedge_mesh& mesh, const std::vector<fm::Wedge_mesh::Index>& wedges)
-{
-  Places places;
-  for(const fm::Wedge_mesh::Index w : wedges) {
-    places.emplace_back(mesh.points[mesh.wedge_points[w]], mesh.wedge_uv[w]);
-  }
-  return places;
-}
-
-inline Places places_of_triangle(const fm::Wedge_mesh& mesh, const std::size_t t)
-{
-  return places_of(mesh, {mesh.triangles[t].begin(), mesh.triangles[t].end()});
-}
-
-inline std::vector<Places> places_of_borders(const fm::Wedge_mesh& mesh)
-{
-  std::vector<Places> places;
-  for(const fm::Wedge_mesh::Side& side : mesh.borders) {
-    places.push_back(places_of(mesh, {side.wedges.begin(), side.wedges.end()}));
-  }
-  return places;
-}
-
-struct Areas
-{
-  double space = 0, plane = 0;
-};
-
-// Each triangle is positively oriented in the plane, exactly.
-inline Areas check_orientation(const fm::Wedge_mesh& mesh)
-{
-  Areas areas;
-  std::size_t flipped = 0;
-  for(std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Places p = places_of_triangle(mesh, t);
-    areas.space += std::sqrt(CGAL::squared_area(p[0].first, p[1].first, p[2].first));
-    if(mesh.charts[t] >= 0) {
-      flipped += CGAL::orientation(p[0].second, p[1].second, p[2].second) != CGAL::LEFT_TURN;
-      areas.plane += CGAL::area(p[0].second, p[1].second, p[2].second);
-    }
-  }
-  BOOST_TEST(flipped == 0u);
-  return areas;
-}
-
-// The number of triangles at each edge is one where it is a side of a border, and else two.
-inline void check_connection(const fm::Wedge_mesh& mesh)
-{
-  std::map<std::pair<fm::Wedge_mesh::Index, fm::Wedge_mesh::Index>, int> counts;
-  for(const auto& triangle : mesh.triangles) {
-    for(std::size_t i = 0; i < 3; ++i) {
-      ++counts[std::minmax({triangle[i], triangle[(i + 1) % 3]})];
-    }
-  }
-  for(const fm::Wedge_mesh::Side& side : mesh.borders) {
-    ++counts[std::minmax({side.wedges[0], side.wedges[1]})];
-  }
-  for(const auto& [edge, count] : counts) {
-    BOOST_TEST(count == 2);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(thinned_surfaces_keep_borders_places_and_values)
-{
-  Block bumpy = sphere();
-  bumpy.length = bumpy.width = bumpy.height = 24;
-  bumpy.places.clear();
-  bumpy.faces.clear();
-  bumpy.noise = 0.02;
-  const std::string input = write("ball.off", bumpy.make().text());
-  for(const std::string options : {"", "--for few-charts", "--plain --cut topology"}) {
-    const Report_page page = report(input, options);
-    const fm::Wedge_mesh mesh = mesh_of_page(page);
-    const fm::Triangle_measures measures = fm::measure_triangles(mesh);
-    const std::vector<std::size_t> kept = {0, 17, 18, 1000, 2500};
-    const std::size_t most = mesh.triangles.size() / 3;
-    const fm::Displayed_surface thin = fm::thinned_surface(mesh, measures, kept, most);
-    BOOST_TEST(thin.mesh.triangles.size() <= most + 1);
-    BOOST_TEST(thin.mesh.triangles.size() + 2 >= most);
-    BOOST_TEST(std::is_sorted(thin.origins.begin(), thin.origins.end()));
-    const Areas before = check_orientation(mesh), after = check_orientation(thin.mesh);
-    BOOST_TEST(std::abs(after.plane / before.plane - 1) < 1e-9);
-    BOOST_TEST(std::abs(after.space / before.space - 1) < 0.05);
-    BOOST_TEST((places_of_borders(mesh) == places_of_borders(thin.mesh)));
-    check_connection(thin.mesh);
-    for(const std::size_t t : kept) {
-      const auto place = std::lower_bound(thin.origins.begin(), thin.origins.end(), t);
-      BOOST_TEST_REQUIRE((place != thin.origins.end() && *place == t));
-      const auto i = static_cast<std::size_t>(place - thin.origins.begin());
-      BOOST_TEST((places_of_triangle(thin.mesh, i) == places_of_triangle(mesh, t)));
-      BOOST_TEST(thin.measures.angle_change[i] == measures.angle_change[t]);
-    }
-  }
-}
-
-// Values of what vanishes are not lost: without triangles to be kept, means by area of all that became part of a
-// triangle have the mean of the whole.
-BOOST_AUTO_TEST_CASE(values_of_thinned_surfaces_are_means)
-{
-  const Report_page page = report(write("ball.off", sphere().text()));
-  const fm::Wedge_mesh mesh = mesh_of_page(page);
-  const fm::Triangle_measures measures = fm::measure_triangles(mesh);
-  fm::Thinning thinning(mesh, {});
-  thinning.thin(mesh.triangles.size() / 2);
-  const std::vector<std::size_t> heirs = thinning.heirs();
-  const fm::Displayed_surface thin = fm::thinned_surface(mesh, measures, {}, mesh.triangles.size() / 2);
-  std::vector<double> areas(heirs.size(), 0);
-  for(std::size_t t = 0; t < heirs.size(); ++t) {
-    BOOST_TEST_REQUIRE(heirs[heirs[t]] == heirs[t]);
-    BOOST_TEST(mesh.charts[heirs[t]] == mesh.charts[t]);
-    areas[heirs[t]] += measures.areas[t];
-  }
-  double before = 0, after = 0;
-  for(std::size_t t = 0; t < heirs.size(); ++t) {
-    before += measures.areas[t] * measures.area_change[t];
-  }
-  for(std::size_t i = 0; i < thin.origins.size(); ++i) {
-    after += areas[thin.origins[i]] * thin.measures.area_change[i];
-  }
-  BOOST_TEST(std::abs(before - after) < 1e-9);
-}
-
-BOOST_AUTO_TEST_CASE(thinning_is_the_same_with_any_number_of_threads)
-{
-  Sheet sheet;
-  sheet.columns = sheet.rows = 60;
-  const fm::Wedge_mesh mesh = mesh_of_page(report(write("sheet.off", off(sheet)), "--plain"));
-  const fm::Triangle_measures measures = fm::measure_triangles(mesh);
-  std::set<std::vector<std::array<fm::Wedge_mesh::Index, 3>>> results;
-  for(const int threads : {1, 2, 3}) {
-    fm::abf::with_threads(threads, [&] {
-      results.insert(fm::thinned_surface(mesh, measures, {}, mesh.triangles.size() / 5).mesh.triangles);
-    });
-  }
-  BOOST_TEST(results.size() == 1u);
-}
-
-// Triangles without chart are thinned by their shapes on the surface.
-BOOST_AUTO_TEST_CASE(triangles_without_chart_are_thinned)
-{
-  fm::Wedge_mesh mesh = mesh_of_page(report(write("ball.off", sphere().text())));
-  mesh.charts.assign(mesh.charts.size(), -1);
-  mesh.wedge_uv.assign(mesh.wedge_uv.size(), fm::Kernel::Point_2(NAN, NAN));
-  const fm::Triangle_measures measures = fm::measure_triangles(mesh);
-  const fm::Displayed_surface thin = fm::thinned_surface(mesh, measures, {}, mesh.triangles.size() / 2);
-  BOOST_TEST(thin.mesh.triangles.size() <= mesh.triangles.size() / 2 + 1);
-  check_connection(thin.mesh);
-}
-
-BOOST_AUTO_TEST_SUITE_END()
-
 BOOST_AUTO_TEST_CASE(base64_of_arrays)
 {
   for(std::uint32_t size = 0; size < 8; ++size) {
     std::vector<std::uint32_t> numbers;
-    for(std::uint32_t i = 0; i < size; ++i) {
+    for(std::uint32_t i = 0; i < size; ++i)
       numbers.push_back(0x89abcdefu * (i + 1));
-    }
     std::string text;
     flatten_mesh::append_base64(text, numbers);
     BOOST_TEST((array_of_page<std::uint32_t>("<x id=\"array-a\">" + text + "</x>", "a") == numbers));

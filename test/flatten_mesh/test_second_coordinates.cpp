@@ -44,11 +44,9 @@ struct Glb
   std::vector<Json> primitives() const
   {
     std::vector<Json> result;
-    for(const auto& [key, mesh] : json.get_child("meshes")) {
-      for(const auto& [number, primitive] : mesh.get_child("primitives")) {
+    for(const auto& [key, mesh] : json.get_child("meshes"))
+      for(const auto& [number, primitive] : mesh.get_child("primitives"))
         result.push_back(primitive);
-      }
-    }
     return result;
   }
 
@@ -73,9 +71,8 @@ struct Glb
     std::vector<std::array<float, width>> result;
     if(const auto accessor = primitive.get_child("attributes").get_optional<std::size_t>(key)) {
       const auto all = numbers<float, width>(*accessor);
-      for(const auto& v : numbers<std::uint32_t, 1>(primitive.get<std::size_t>("indices"))) {
+      for(const auto& v : numbers<std::uint32_t, 1>(primitive.get<std::size_t>("indices")))
         result.push_back(all.at(v[0]));
-      }
     }
     return result;
   }
@@ -85,12 +82,10 @@ struct Glb
 inline void check_sets(const Json& primitive)
 {
   std::size_t sets = 0;
-  for(const auto& [key, accessor] : primitive.get_child("attributes")) {
+  for(const auto& [key, accessor] : primitive.get_child("attributes"))
     sets += key.compare(0, 9, "TEXCOORD_") == 0;
-  }
-  for(std::size_t i = 0; i < sets; ++i) {
+  for(std::size_t i = 0; i < sets; ++i)
     BOOST_TEST(primitive.get_child("attributes").count("TEXCOORD_" + std::to_string(i)) == 1u);
-  }
 }
 
 // The triangles are in the unit square, and turned as they should be: v goes down.
@@ -112,9 +107,8 @@ inline Textured_points textured_points(const Glb& glb, const std::string& key)
   for(const Json& primitive : glb.primitives()) {
     const auto points = glb.corners<3>(primitive, "POSITION");
     const Texture uv = glb.corners<2>(primitive, key);
-    for(std::size_t c = 0; c < uv.size(); ++c) {
+    for(std::size_t c = 0; c < uv.size(); ++c)
       result.insert({points[c], uv[c]});
-    }
   }
   return result;
 }
@@ -140,9 +134,8 @@ inline std::string textured_sheet()
     }
     std::istringstream words(line.substr(2));
     lines += "f";
-    for(std::string v; words >> v;) {
+    for(std::string v; words >> v;)
       lines += " " + v + "/" + v;
-    }
     lines += "\n";
   }
   return lines;
@@ -166,15 +159,13 @@ BOOST_AUTO_TEST_CASE(from_gltf)
   generated::Gltf gltf = generated::ball_with_nodes("{\"mesh\":0}");
   const generated::Ball ball(8, 12);
   std::vector<float> other;
-  for(const float x : ball.texture) {
+  for(const float x : ball.texture)
     other.push_back(7 + x);
-  }
   const std::string second = ",\"TEXCOORD_1\":" + std::to_string(gltf.add(other, "VEC2")) + "}";
   for(const bool has_two : {false, true}) {
     generated::Gltf given = gltf;
-    for(std::size_t i = 0; has_two && (i = given.json.find("\"TEXCOORD_0\":", i)) != std::string::npos; ++i) {
+    for(std::size_t i = 0; has_two && (i = given.json.find("\"TEXCOORD_0\":", i)) != std::string::npos; ++i)
       given.json.replace(given.json.find('}', i), 1, second);
-    }
     const std::string input = write("ball.glb", given.binary());
     const Glb first = flatten_glb(input, ""), glb = flatten_glb(input, "--uv-set 1");
     for(const Json& primitive : glb.primitives()) {
@@ -225,13 +216,10 @@ BOOST_AUTO_TEST_CASE(some_faces_have_coordinates)
                             : glb.corners<2>(glb.primitives()[1], "TEXCOORD_0");
   BOOST_TEST((zeros == Texture(3, {0, 0})));
   // Left-out faces have only their own ones.
-  for(const Json& primitive : flatten_glb(file("some.obj"), "--uv-set 1 --ignore other").primitives()) {
+  for(const Json& primitive : flatten_glb(file("some.obj"), "--uv-set 1 --ignore other").primitives())
     check_sets(primitive);
-  }
-  for(const Json& primitive :
-      flatten_glb(file("some.obj"), "--uv-set 1 --only-material other").primitives()) {
+  for(const Json& primitive : flatten_glb(file("some.obj"), "--uv-set 1 --only-material other").primitives())
     check_sets(primitive);
-  }
 }
 
 BOOST_AUTO_TEST_CASE(ply_has_two_lists)
@@ -272,11 +260,9 @@ BOOST_AUTO_TEST_CASE(what_has_no_two_sets)
        {"--svg " + quoted(file("flat.svg")), "--uv-set 1 needs --output"},
        {"--output " + glb + " --simplify 20", "goes without --simplify"},
        {"--output " + glb + " --plain", "--uv-set goes with an atlas"}}) {
-    BOOST_TEST_CONTEXT(options)
-    {
-      run(quoted(input) + " --uv-set 1 " + options);
-      check_refusal({word});
-    }
+    BOOST_TEST_INFO_SCOPE(options);
+    run(quoted(input) + " --uv-set 1 " + options);
+    check_refusal({word});
   }
   run(quoted(plain) + " --uv-set 1 --output " + glb);
   check_refusal({quoted(plain), "it has none"});

@@ -1,6 +1,6 @@
 # Copyright (c) 2026 The Angle_based_flattening authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every command of the tutorial, of the page on the program, and of README.md works as printed: test_tutorial.py SOURCE_FOLDER
+"""Every command of the tutorial, of the page on the program, and of README.md works as printed: test_tutorial.py
 FLATTEN_MESH."""
 
 import json
@@ -15,10 +15,11 @@ from collections import namedtuple
 from pathlib import Path
 from xml.etree import ElementTree
 
-FLATTEN_MESH = Path(sys.argv.pop(2)).resolve()
-ROOT = Path(sys.argv.pop(1)).resolve()
+FLATTEN_MESH = Path(sys.argv.pop(1)).resolve()
+ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "doc/standalone"))
 import tutorial  # noqa: E402
+from read_models import numbers_of, read_glb, read_ply  # noqa: E402
 
 MANUAL = ROOT / "doc"
 Model = namedtuple("Model", "triangles coordinates")
@@ -64,43 +65,9 @@ def check_obj(file):
 
 def check_ply(file):
     """A binary PLY file, all of whose faces have a list of texture coordinates."""
-    header, data = file.read_bytes().split(b"end_header\n", 1)
-    codes = {"uchar": "B", "int": "i", "float": "f", "double": "d"}
-    elements = []
-    for words in (line.split() for line in header.decode().splitlines()):
-        if words[0] == "element":
-            elements.append((words[1], int(words[2]), []))
-        elif words[0] == "property":
-            elements[-1][2].append([words[-1]] + [codes[word] for word in words[1:-1] if word != "list"])
-    place, triangles, coordinates = 0, 0, []
-    for element, number, properties in elements:
-        for _ in range(number):
-            values = {}
-            for name, *kinds in properties:
-                count = 1
-                if len(kinds) == 2:
-                    count, = struct.unpack_from("<" + kinds[0], data, place)
-                    place += struct.calcsize(kinds[0])
-                values[name] = struct.unpack_from(f"<{count}{kinds[-1]}", data, place)
-                place += count * struct.calcsize(kinds[-1])
-            if element == "face":
-                triangles += 1
-                assert len(values["texcoord"]) == 2 * len(values["vertex_indices"])
-                coordinates += values["texcoord"]
-    assert place == len(data) and triangles
-    return Model(triangles, coordinates)
-
-
-def read_glb(file):
-    """The JSON and the bytes of a binary glTF file."""
-    data = file.read_bytes()
-    magic, version, length = struct.unpack("<4sII", data[:12])
-    assert (magic, version, length) == (b"glTF", 2, len(data))
-    size, kind = struct.unpack("<I4s", data[12:20])
-    assert kind == b"JSON"
-    size_of_bytes, kind = struct.unpack("<I4s", data[20 + size:28 + size])
-    assert kind == b"BIN\0" and 28 + size + size_of_bytes == length
-    return json.loads(data[20:20 + size]), data[28 + size:]
+    faces = read_ply(file)
+    assert faces and all(len(face["texcoord"]) == 2 * len(face["vertex_indices"]) for face in faces)
+    return Model(len(faces), [number for face in faces for number in face["texcoord"]])
 
 
 def check_glb(file):
@@ -109,11 +76,8 @@ def check_glb(file):
     triangles, coordinates = 0, []
     for primitive in (p for mesh in scene["meshes"] for p in mesh["primitives"]):
         triangles += scene["accessors"][primitive["indices"]]["count"] // 3
-        accessor = scene["accessors"][primitive["attributes"]["TEXCOORD_0"]]
-        view = scene["bufferViews"][accessor["bufferView"]]
-        start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
-        assert accessor["componentType"] == 5126 and "byteStride" not in view
-        coordinates += struct.unpack_from(f"<{2 * accessor['count']}f", data, start)
+        pairs = numbers_of(scene, data, primitive["attributes"]["TEXCOORD_0"])
+        coordinates += [number for pair in pairs for number in pair]
     for image in scene.get("images", []):
         view = scene["bufferViews"][image["bufferView"]]
         check_png(data[view["byteOffset"]:view["byteOffset"] + view["byteLength"]])

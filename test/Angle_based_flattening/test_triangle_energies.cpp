@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Angle_based_flattening authors.
+// All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The derivatives of energies of triangles. A wrong one only slows the descent of injective maps, and so no public
+// function shows it.
+
+#include <boost/test/unit_test.hpp>
+
+#include "test_charts.h"
+
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/objectives.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(test_triangle_energies)
+
+namespace abf = CGAL::Surface_mesh_parameterization::internal::ABF;
+using namespace test_charts;
+using abf::Planar_point;
+
+namespace {
+
+std::array<Planar_point, 3> random_triangle(std::mt19937& random)
+{
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for(;;) {
+    std::array<Planar_point, 3> x;
+    for(Planar_point& p : x)
+      p = Planar_point(unit(random), unit(random));
+    if(abf::cross(x[1] - x[0], x[2] - x[0]) > 0.1)
+      return x;
+  }
+}
+
+// The gradient against central differences, and that no eigenvalue of the Hessian is negative
+template <typename Objective>
+void check_derivatives(const Objective& objective, int t, const std::array<Planar_point, 3>& x)
+{
+  const abf::Triangle_derivatives derivatives = objective.triangle_derivatives(t, x);
+  const double h = 1e-6, scale = 1 + derivatives.gradient.norm();
+  for(int k = 0; k < 6; ++k) {
+    std::array<Planar_point, 3> low = x, high = x;
+    low[k / 2][k % 2] -= h;
+    high[k / 2][k % 2] += h;
+    const double slope = (objective.triangle_energy(t, high) - objective.triangle_energy(t, low)) / (2 * h);
+    BOOST_TEST(std::abs(slope - derivatives.gradient[k]) < 1e-6 * scale);
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> spectrum(derivatives.hessian);
+  BOOST_TEST(spectrum.eigenvalues().minCoeff() > -1e-10 * derivatives.hessian.norm());
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(energies_have_the_derivatives_that_they_tell)
+{
+  std::mt19937 random(2);
+  const Chart chart = random_chart(30, random);
+  const std::vector<double> beta = abf::target_angles(chart);
+  for(int round = 0; round < 200; ++round) {
+    const std::array<Planar_point, 3> x = random_triangle(random);
+    const int t = static_cast<int>(random() % chart.number_of_triangles());
+    for(double theta : {0., 0.005, 0.5, 1.})
+      check_derivatives(abf::Area_objective(chart, theta), t, x);
+    check_derivatives(abf::Angle_objective(chart, beta, abf::Angle_energy{0.1}), t, x);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
