@@ -13,7 +13,7 @@
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Texture_atlas/internal/files/read_obj_soup.h>
-#include <CGAL/Texture_atlas/internal/prepare/Atlas.h>
+#include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 #include <CGAL/Texture_atlas/internal/prepare/given_seams.h>
 #include <CGAL/Texture_atlas/internal/prepare/prepare_surface.h>
 

@@ -20,7 +20,7 @@
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
-#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/area_objective.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/objectives.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/injective_descent.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/tutte_map.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
@@ -429,6 +429,32 @@ BOOST_AUTO_TEST_CASE(the_direct_method_gives_injective_maps_too)
   }
   BOOST_TEST(own > 0);
   BOOST_TEST(overlapping > 0);
+}
+
+// Also where its own map does not overlap itself: both methods give one map then.
+BOOST_AUTO_TEST_CASE(the_direct_method_preserves_areas_if_asked)
+{
+  SMP::ABF_plus_plus_options options;
+  options.injective = true;
+  options.area_weight = 1;
+  for(const Chart& chart : {bump(12, 7, 1), comb(6, 8, 1), finger(12, 20, 5)}) {
+    Direct direct(options);
+    const Run<> run(chart, direct);
+    BOOST_TEST(run.code == SMP::OK);
+    BOOST_TEST((run.points() == flattened(chart, isometric()).points()));
+    BOOST_TEST((direct.report().strategy == SMP::ABF_plus_plus_report::INJECTIVE_DESCENT));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(polishing_does_not_undo_area_weights)
+{
+  Options polished = isometric();
+  polished.polish = true;
+  Parameterizer parameterizer(polished);
+  const Run<> run(comb(2, 2, 0), parameterizer);
+  BOOST_TEST((parameterizer.report().status == SMP::Diagnosis::WRONG_OPTION));
+  BOOST_TEST(parameterizer.report().message.find("area_weight") != std::string::npos);
+  BOOST_TEST(run.is_untouched());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

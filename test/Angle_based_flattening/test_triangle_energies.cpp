@@ -8,7 +8,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "test_charts.h"
+#include "random_charts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/objectives.h>
