@@ -439,9 +439,10 @@ BOOST_AUTO_TEST_CASE(the_direct_method_preserves_areas_if_asked)
   options.area_weight = 1;
   for(const Chart& chart : {bump(12, 7, 1), comb(6, 8, 1), finger(12, 20, 5)}) {
     Direct direct(options);
-    const Run<> run(chart, direct);
+    Parameterizer hierarchical(isometric());
+    const Run<> run(chart, direct), expected(chart, hierarchical);
     BOOST_TEST(run.code == SMP::OK);
-    BOOST_TEST((run.points() == flattened(chart, isometric()).points()));
+    BOOST_TEST((run.points() == expected.points()));
     BOOST_TEST((direct.report().strategy == SMP::ABF_plus_plus_report::INJECTIVE_DESCENT));
   }
 }
@@ -473,7 +474,7 @@ BOOST_AUTO_TEST_CASE(any_options_give_an_injective_map)
     options.coarse_triangles = random() % 2 * uniform_int(random, 1, 1000);
     options.extreme_angle = uniform(random, 0, 0.5);
     options.max_retries = uniform_int(random, 0, 3);
-    options.polish = random() % 2 == 0;
+    options.polish = random() % 2 == 0 && options.area_weight <= 0.1;
     return options;
   };
   for(unsigned seed = 1; seed <= (is_quick ? 3u : 12u); ++seed) {
