@@ -677,8 +677,8 @@ BOOST_AUTO_TEST_CASE(the_same_bits_on_any_number_of_threads)
 }
 
 // On a rough surface, parts of the border get stuck while they grow. The energy then rises from step to step, and the
-// 120 steps of one of these charts would be for nothing. How many there are depends on rounding: fewer than 80 with Eigen
-// 3.4, and 82 with Eigen 5.
+// 120 steps of one of these charts would be for nothing. How many there are depends on rounding: fewer than 80 with
+// Eigen 3.4, and 82 with Eigen 5.
 BOOST_AUTO_TEST_CASE(a_descent_ends_where_the_energy_does_not_fall_any_more)
 {
   for(double roughness : {0.5, 1.})
