@@ -133,7 +133,7 @@ int main(int argc, char* argv[])
       simple.add_property_map<Surface::Halfedge_index, TA::Tangent_frame>("h:frame").first;
   TA::Baking_options baking_options;
   baking_options.resolution = 512;
-  const TA::Baked_textures textures = TA::bake_surface(simple, uv, fine, frames, baking_options);
+  const auto textures = TA::bake_surface(simple, uv, fine, frames, baking_options);
   if(!textures) {
     std::cerr << textures.message << "\n";
     return 1;

@@ -172,7 +172,7 @@ TA::Baked_textures bake(const Given_mesh& given, const Given_mesh& given_fine,
                                : TA::bake_surface(surface.mesh, uv, fine.mesh, options, charts,
                                                   np::vertex_color_map(colors_of(given_colors, fine.mesh)));
       check_report(surface, baked);
-      return baked;
+      return static_cast<const TA::Baked_textures&>(baked);
     });
   });
 }

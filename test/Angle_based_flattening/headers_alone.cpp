@@ -59,7 +59,7 @@ struct Grid
     return true;
   }
 
-  Report flatten(Parameterizer parameterizer)
+  auto flatten(Parameterizer parameterizer)
   {
     const auto vpmap = mesh.add_property_map<Mesh::Vertex_index, bool>("v:parameterized", false).first;
     for(const Mesh::Vertex_index v : mesh.vertices())
@@ -109,7 +109,7 @@ void expect_injective_map()
   Options options;
   expect(!staircase().flatten(Parameterizer(options)).border_is_simple, "the staircase overlaps itself");
   options.injective = true;
-  const Report report = staircase().flatten(Parameterizer(options));
+  const auto report = staircase().flatten(Parameterizer(options));
   expect_map(report, Report::INJECTIVE_DESCENT, "the staircase without overlap");
   expect(report.injective, "the staircase does not overlap itself any more");
 }

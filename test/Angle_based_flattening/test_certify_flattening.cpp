@@ -22,7 +22,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Timer.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
 #include <CGAL/boost/graph/generators.h>
@@ -625,33 +624,21 @@ BOOST_AUTO_TEST_CASE(sweep_against_all_pairs)
   BOOST_TEST(simple < 19000);
 }
 
-// Borders on which simpler algorithms become quadratic: four times as many edges take four times as long, and not 16
-// times.
+// Borders on which simpler algorithms are quadratic, and would take longer than a test may.
 BOOST_AUTO_TEST_CASE(long_borders)
 {
-  const auto check = [](const std::string& name, const auto& border) {
-    double seconds[2];
-    for(int i : {0, 1}) {
-      const Chart chart = border(i == 0 ? 12500 : 50000);
-      const std::vector<Chart::Point_2> uv = test_charts::projected(chart);
-      seconds[i] = infinity;
-      for(int run = 0; run < 3; ++run) {
-        CGAL::Timer timer; // of this process, whatever else the machine does
-        timer.start();
-        BOOST_TEST(abf::is_border_simple(chart, uv));
-        seconds[i] = (std::min)(seconds[i], timer.time());
-      }
-      BOOST_TEST(Planar<>(chart).is_injective());
-    }
-    BOOST_TEST(seconds[1] < 10 * seconds[0], name << ": " << seconds[0] << " s, " << seconds[1] << " s");
+  const auto check = [](const auto& border) {
+    const Chart chart = border(50000);
+    BOOST_TEST(abf::is_border_simple(chart, test_charts::projected(chart)));
+    BOOST_TEST(Planar<>(chart).is_injective());
   };
-  check("spiral", [](int n) {
+  check([](int n) {
     return ribbon(
         n, [](int i) { return 2 * CGAL_PI / 64 * i; },
         [](int i) { return std::pair(1 + 0.001 * i, 1.05 + 0.001 * i); });
   });
   for(double slope : {0., 1.}) // collinear, along an axis and exactly diagonal
-    check("strip", [slope](int n) {
+    check([slope](int n) {
       Chart strip = ribbon(
           n, [](int) { return 0.; }, [](int) { return std::pair(0., 1.); });
       for(int v = 0; v < strip.number_of_vertices(); ++v)

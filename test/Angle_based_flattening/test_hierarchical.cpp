@@ -40,13 +40,6 @@ typedef SMP::Hierarchical_options Options;
 
 namespace {
 
-const double extreme_angle = Options().extreme_angle;
-
-std::vector<Chart> charts()
-{
-  return {flat_grid(9, 1), bump(25, 2), bump(12, 3, 20), pyramid(50, 3), pyramid(3, 1), annulus(40)};
-}
-
 Chart cone(int n)
 {
   return grid(n, n,

@@ -412,7 +412,7 @@ BOOST_AUTO_TEST_CASE(the_direct_method_gives_injective_maps_too)
       BOOST_TEST((!injective || run.overlap() == ""));
       return direct.report();
     };
-    const SMP::ABF_plus_plus_report free = flatten(false), injective = flatten(true);
+    const auto free = flatten(false), injective = flatten(true);
     BOOST_TEST(!free.injective); // was not asked for
     BOOST_TEST(injective.injective);
     if(free.border_is_simple) {

@@ -251,10 +251,10 @@ BOOST_AUTO_TEST_CASE(surface_without_a_border_given)
   typedef boost::associative_property_map<std::map<Surface_mesh::Vertex_index, Point_2>> Map;
   std::map<Surface_mesh::Vertex_index, Point_2> uv;
   Surface_mesh mesh;
-  const Report empty = SMP::flatten_surface(mesh, Map(uv));
+  const auto empty = SMP::flatten_surface(mesh, Map(uv));
   BOOST_TEST(empty.status == SMP::Diagnosis::EMPTY_MESH);
   CGAL::make_tetrahedron(Point_3(0, 0, 0), Point_3(1, 0, 0), Point_3(0, 1, 0), Point_3(0, 0, 1), mesh);
-  const Report closed = SMP::flatten_surface(mesh, Map(uv));
+  const auto closed = SMP::flatten_surface(mesh, Map(uv));
   BOOST_TEST(closed.status == SMP::Diagnosis::NO_BORDER);
   BOOST_TEST(closed.message.find("closed") != std::string::npos);
   BOOST_TEST(SMP::error_code(closed.status) == SMP::ERROR_NO_TOPOLOGICAL_DISC);

@@ -112,7 +112,7 @@ double ratio_of_map(Mesh mesh, const Report& rectangle)
 void check_ratio(const Mesh& mesh, double ratio, double largest_error)
 {
   const Halfedge border = longest_border(mesh);
-  const Report report = SMP::rectangle_angles(mesh, border, ratio);
+  const auto report = SMP::rectangle_angles(mesh, border, ratio);
   BOOST_TEST_REQUIRE(bool(report), report.message);
   BOOST_TEST((report.corners[0] == mesh.target(border)));
   for(Vertex v : report.corners)
@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(of_a_rectangle_are_its_own)
       for(int i = 0; i < 4; ++i) {
         const double width = curvature > 0 ? 4 * n * std::sin(curvature / 2 / n) / curvature : 2,
                      ratio = i % 2 == 0 ? width : 1 / width;
-        const Report report = SMP::rectangle_angles(mesh, border_to(mesh, corners[i]), ratio);
+        const auto report = SMP::rectangle_angles(mesh, border_to(mesh, corners[i]), ratio);
         BOOST_TEST_REQUIRE(bool(report), report.message);
         for(int k = 0; k < 4; ++k)
           BOOST_TEST((report.corners[k] == corners[(i + k) % 4]));
@@ -152,10 +152,10 @@ BOOST_AUTO_TEST_CASE(of_two_triangles)
 {
   const Mesh mesh = mesh_of_chart<Mesh>(make_chart(
       {Point_3(0, 0, 0), Point_3(3, 0, 0), Point_3(3, 1, 0), Point_3(0, 1, 0)}, {{0, 1, 2}, {0, 2, 3}}));
-  const Report report = SMP::rectangle_angles(mesh, border_to(mesh, Vertex(0)), 3);
+  const auto report = SMP::rectangle_angles(mesh, border_to(mesh, Vertex(0)), 3);
   BOOST_TEST_REQUIRE(bool(report), report.message);
   BOOST_TEST(report.predicted_ratio == 3, boost::test_tools::tolerance(1e-12));
-  const Report other = SMP::rectangle_angles(mesh, border_to(mesh, Vertex(0)), 2);
+  const auto other = SMP::rectangle_angles(mesh, border_to(mesh, Vertex(0)), 2);
   BOOST_TEST(other.status == SMP::Diagnosis::WRONG_OPTION);
 }
 
@@ -223,9 +223,9 @@ BOOST_AUTO_TEST_CASE(can_be_chosen_with_other_points_and_another_solver)
     points[v] = mesh.point(v);
     stretched.point(v) = Point_3(3 * mesh.point(v).x(), mesh.point(v).y(), 0);
   }
-  const Report report = SMP::rectangle_angles(mesh, border, 1.5);
+  const auto report = SMP::rectangle_angles(mesh, border, 1.5);
   BOOST_TEST_REQUIRE(bool(report));
-  const Report other = SMP::rectangle_angles(
+  const auto other = SMP::rectangle_angles(
       stretched, border, 1.5, CGAL::parameters::vertex_point_map(points).sparse_linear_solver(Solver()));
   BOOST_TEST_REQUIRE(bool(other));
   BOOST_TEST((other.corners == report.corners));
@@ -240,7 +240,7 @@ BOOST_AUTO_TEST_CASE(of_a_border_without_length)
   const Halfedge border = longest_border(mesh);
   for(Vertex v : CGAL::vertices_around_face(border, mesh))
     mesh.point(v) = Point_3(0.5, 0.5, -1);
-  const Report report = SMP::rectangle_angles(mesh, border, 1);
+  const auto report = SMP::rectangle_angles(mesh, border, 1);
   BOOST_TEST_REQUIRE(bool(report), report.message);
   BOOST_TEST(relative_error(report.predicted_ratio, 1) < 0.13);
 }

@@ -9,9 +9,11 @@
 #include <boost/test/unit_test.hpp>
 
 #include "random_charts.h"
+#include "test_charts.h"
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/angles/target_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/objectives.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/relax_vertex.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -71,6 +73,42 @@ BOOST_AUTO_TEST_CASE(energies_have_the_derivatives_that_they_tell)
       check_derivatives(abf::Area_objective(chart, theta), t, x);
     check_derivatives(abf::Angle_objective(chart, beta, abf::Angle_energy{0.1}), t, x);
   }
+}
+
+// The energies of stars. Only the Hessian of the energy of angles is not the exact one.
+template <typename Star>
+void check_stars(Star star, bool has_exact_hessian)
+{
+  typedef typename Star::Energy Energy;
+  Chart chart = bump(6, 7, 1);
+  const abf::Edge_collapses mesh(chart);
+  std::vector<Planar_point> uv;
+  for(const Point_3& p : chart.points)
+    uv.emplace_back(p.x(), p.y());
+  const double h = 1e-6;
+  for(int v = 0; v < chart.number_of_vertices(); ++v) {
+    star.gather(mesh, uv, v);
+    const Energy here(star, uv[v], true);
+    BOOST_TEST(here.value == Energy(star, uv[v], false).value);
+    for(int i : {0, 1}) {
+      const Energy more(star, uv[v] + h * Planar_point::Unit(i), true);
+      const Energy less(star, uv[v] - h * Planar_point::Unit(i), true);
+      const double scale = here.hessian.norm();
+      BOOST_TEST(std::abs((more.value - less.value) / (2 * h) - here.gradient[i]) < 1e-6 * scale);
+      if(has_exact_hessian)
+        BOOST_TEST(((more.gradient - less.gradient) / (2 * h) - here.hessian.col(i)).norm() < 1e-5 * scale);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(energies_around_a_vertex_have_the_derivatives_that_they_tell)
+{
+  check_stars(abf::MIPS_star(), true);
+  for(double theta : {0., 0.005, 0.5, 1.})
+    check_stars(abf::Area_star(theta), true);
+  const std::vector<double> beta = abf::target_angles(bump(6, 7, 1));
+  check_stars(abf::Angle_star(beta, abf::Angle_energy{0.1}), false);
+  check_stars(abf::Area_angle_star(beta, abf::Angle_energy{0.1}), false);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

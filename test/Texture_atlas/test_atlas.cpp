@@ -656,7 +656,7 @@ BOOST_AUTO_TEST_CASE(measures_are_those_of_measure_flattening)
   for(Edge e : mesh.edges())
     put(seams, e, false);
   const auto charts = get(CGAL::dynamic_face_property_t<int>(), mesh);
-  const Atlas_report report =
+  const auto report =
       TA::make_atlas(mesh, seams, uv, charts, few_charts(&Atlas_options::pack_into_square, false));
   BOOST_TEST_REQUIRE(bool(report));
   const auto seam_mesh = TA::make_seam_mesh(mesh, seams).mesh;

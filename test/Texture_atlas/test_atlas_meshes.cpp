@@ -217,7 +217,7 @@ BOOST_AUTO_TEST_CASE(maps_may_be_left_out)
   const Mesh mesh = random_union(5).mesh<Mesh>();
   const Atlas_run run = make_atlas_of(mesh);
   const auto uv = get(CGAL::dynamic_halfedge_property_t<CGAL::Simple_cartesian<double>::Point_2>(), mesh);
-  const Atlas_report report = TA::make_atlas(mesh, uv, few_charts());
+  const auto report = TA::make_atlas(mesh, uv, few_charts());
   BOOST_TEST((report.status == run.report.status));
   BOOST_TEST(report.charts.size() == run.report.charts.size());
   std::size_t corner = 0;

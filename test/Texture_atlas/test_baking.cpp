@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(does_not_depend_on_the_position)
     transform(simple, matrix, shift);
     transform(fine, matrix, shift);
     const Uv_map uv = uv_map(simple);
-    const TA::Baked_textures moved =
+    const auto moved =
         TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 128));
     BOOST_REQUIRE(moved);
     BOOST_TEST((moved.texels == sphere.textures.texels));
@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(plane_over_plane_is_exact)
   Surface simple = sheet(3, flat);
   Surface fine = sheet(7, [](double, double) { return 0.03125; });
   const Uv_map uv = project(simple, as_it_is);
-  const TA::Baked_textures textures =
+  const auto textures =
       TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 64));
   BOOST_REQUIRE(textures);
   BOOST_TEST(textures.number_of_chart_texels == 64u * 64u);
@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(shows_bumps_on_a_plane)
         return Plane_point(Eigen::Rotation2Dd(angle) * p * 0.7 + Plane_point(0.5, 0.5));
       });
       const Frame_map frames = frame_map(simple);
-      const TA::Baked_textures textures =
+      const auto textures =
           TA::bake_surface(simple, uv, fine, frames, with<Baking_options>(&Baking_options::resolution, 256));
       BOOST_REQUIRE(textures);
       const std::vector<std::uint16_t> pixels = textures.normal_pixels<std::uint16_t>();
@@ -245,7 +245,7 @@ BOOST_AUTO_TEST_CASE(normals_in_object_space)
   const Surface fine = sheet(2, [](double x, double) { return 0.1 * x - 0.05; });
   const Uv_map uv =
       project(simple, [](double x, double y) { return Plane_point(0.9 - 0.8 * y, 0.1 + 0.8 * x); });
-  const TA::Baked_textures textures = TA::bake_surface(
+  const auto textures = TA::bake_surface(
       simple, uv, fine,
       with<Baking_options>(&Baking_options::resolution, 32, &Baking_options::normals_in_object_space, true));
   BOOST_REQUIRE(textures);
@@ -266,7 +266,7 @@ BOOST_AUTO_TEST_CASE(colors_and_given_normals)
   for(const Vertex v : painted.vertices())
     color[v] = CGAL::IO::Color(static_cast<unsigned char>(std::lround(250 * painted.point(v).x())),
                                static_cast<unsigned char>(std::lround(100 * painted.point(v).y())), 7);
-  const TA::Baked_textures textures =
+  const auto textures =
       TA::bake_surface(simple, uv, painted, with<Baking_options>(&Baking_options::resolution, 50),
                        np::default_values(), np::vertex_color_map(color));
   BOOST_REQUIRE(textures);
@@ -281,7 +281,7 @@ BOOST_AUTO_TEST_CASE(colors_and_given_normals)
 
   // Oblique normals of the simple surface move what is met, and so the colours.
   const auto normal = simple.add_property_map<Vertex, Kernel::Vector_3>("v:normal", {1, 0, 2}).first;
-  const TA::Baked_textures oblique =
+  const auto oblique =
       TA::bake_surface(simple, uv, painted,
                        with<Baking_options>(&Baking_options::resolution, 50, &Baking_options::ray_length, 1),
                        np::vertex_normal_map(normal), np::vertex_color_map(color));
@@ -291,8 +291,7 @@ BOOST_AUTO_TEST_CASE(colors_and_given_normals)
 
   Polyhedron fine;
   CGAL::copy_face_graph(painted, fine);
-  const TA::Baked_textures same =
-      TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 50));
+  const auto same = TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 50));
   BOOST_TEST((same.normals == textures.normals));
   BOOST_TEST(same.colors.empty());
 }
@@ -302,10 +301,10 @@ BOOST_AUTO_TEST_CASE(an_inverted_fine_surface_is_all_back_faces)
   const auto bowl = [](double x, double y) { return 0.05 * x * x - 0.03 * x * y; };
   Surface simple = sheet(2, flat), fine = sheet(30, bowl);
   const Uv_map uv = project(simple, as_it_is);
-  const TA::Baked_textures right =
+  const auto right =
       TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 64));
   CGAL::Polygon_mesh_processing::reverse_face_orientations(fine);
-  const TA::Baked_textures turned =
+  const auto turned =
       TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 64));
   BOOST_TEST(right.number_of_back_faces == 0u);
   BOOST_TEST(turned.number_of_back_faces == 64u * 64u);
@@ -346,7 +345,7 @@ BOOST_AUTO_TEST_CASE(rays_through_a_hole_are_counted)
       CGAL::Euler::remove_face(fine.halfedge(f), fine);
   }
   const Uv_map uv = project(simple, as_it_is);
-  const TA::Baked_textures textures =
+  const auto textures =
       TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, 100));
   BOOST_REQUIRE(textures);
   BOOST_TEST(textures.number_of_missed_rays == 40u * 20u);
@@ -372,7 +371,7 @@ BOOST_AUTO_TEST_CASE(charts_and_gutters_are_filled)
   const auto color = sphere.fine.add_property_map<Vertex, CGAL::IO::Color>("v:color").first;
   for(const Vertex v : sphere.fine.vertices())
     color[v] = CGAL::IO::Color(static_cast<unsigned char>(random() % 256), 0, 0);
-  const TA::Baked_textures textures =
+  const auto textures =
       TA::bake_surface(sphere.simple, sphere.uv, sphere.fine,
                        with<Baking_options>(&Baking_options::resolution, n, &Baking_options::gutter, gutter),
                        np::default_values(), np::vertex_color_map(color));
@@ -438,7 +437,7 @@ BOOST_AUTO_TEST_CASE(charts_do_not_bleed_into_one_another)
     const Kernel::Point_3& p = simple.point(simple.target(h)); // two texels between the charts
     uv[h] = Kernel::Point_2((p.z() > 0.5 ? 33. : 1.) / n + 30. / n * p.x(), 0.1 + 0.8 * p.y());
   }
-  const TA::Baked_textures textures =
+  const auto textures =
       TA::bake_surface(simple, uv, fine, with<Baking_options>(&Baking_options::resolution, n),
                        np::default_values(), np::vertex_color_map(color));
   BOOST_REQUIRE(textures);
@@ -458,19 +457,19 @@ BOOST_AUTO_TEST_CASE(rectangles_are_parts_of_squares)
 {
   Baked_sphere sphere;
   sphere.bake(128);
-  const auto bake = [&](int height) -> TA::Baked_textures {
+  const auto bake = [&](int height) {
     return TA::bake_surface(
         sphere.simple, sphere.uv, sphere.fine, sphere.frames,
         with<Baking_options>(&Baking_options::resolution, 128, &Baking_options::height, height),
         np::face_patch_map(sphere.chart));
   };
-  const TA::Baked_textures half = bake(64);
+  const auto half = bake(64);
   BOOST_REQUIRE(half);
   BOOST_TEST(half.resolution == 128);
   BOOST_TEST(half.height == 64);
   for(const Halfedge h : sphere.simple.halfedges())
     sphere.uv[h] = Kernel::Point_2(sphere.uv[h].x(), sphere.uv[h].y() / 2);
-  const TA::Baked_textures whole = bake(128);
+  const auto whole = bake(128);
   const auto lower_half = [](const auto& values) {
     return std::decay_t<decltype(values)>(values.begin() + values.size() / 2, values.end());
   };
@@ -485,7 +484,7 @@ BOOST_AUTO_TEST_CASE(threads_do_not_matter)
   Baked_sphere sphere;
   sphere.bake(100);
   for(const int threads : {1, 2, 3}) {
-    const TA::Baked_textures again = TA::bake_surface(
+    const auto again = TA::bake_surface(
         sphere.simple, sphere.uv, sphere.fine,
         with<Baking_options>(&Baking_options::resolution, 100, &Baking_options::threads, threads),
         np::face_patch_map(sphere.chart));
@@ -507,7 +506,7 @@ BOOST_AUTO_TEST_CASE(faces_without_chart_are_ignored)
       chart[f] = -1;
       uv[simple.halfedge(f)] = Kernel::Point_2(7, std::numeric_limits<double>::quiet_NaN());
     }
-  const TA::Baked_textures textures =
+  const auto textures =
       TA::bake_surface(simple, uv, sheet(2, flat), with<Baking_options>(&Baking_options::resolution, 20),
                        np::face_patch_map(chart));
   BOOST_REQUIRE(textures);
@@ -526,7 +525,7 @@ BOOST_AUTO_TEST_CASE(degenerate_triangles)
   }
   const Uv_map uv = project(simple, as_it_is);
   const Frame_map frames = frame_map(simple);
-  const TA::Baked_textures textures =
+  const auto textures =
       TA::bake_surface(simple, uv, fine, frames, with<Baking_options>(&Baking_options::resolution, 30));
   BOOST_REQUIRE(textures);
   for(const float x : textures.normals)

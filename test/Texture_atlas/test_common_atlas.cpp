@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(the_same_as_of_one_mesh)
     all.add_maps(seed % 3 == 0 ? 7 : 1000000);
     Atlas_options options(seed % 2 == 0 ? Atlas_options::TEXTURE : Atlas_options::FEW_CHARTS);
     options.pack_into_square = seed % 4 != 3;
-    const Atlas_report one =
+    const auto one =
         atlas_check::TA::make_atlas(all.joined, Meshes::seams_of(all.joined), Meshes::uv_of(all.joined),
                                     Meshes::charts_of(all.joined), options);
     options.threads = static_cast<int>(seed % 3);
@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(sizes_in_proportion)
     all.add(mesh);
   }
   all.add_maps(1000000);
-  const Atlas_report one =
+  const auto one =
       atlas_check::TA::make_atlas(all.joined, Meshes::seams_of(all.joined), Meshes::uv_of(all.joined),
                                   Meshes::charts_of(all.joined), few_charts());
   all.check_same(one, all.make());
@@ -182,7 +182,7 @@ BOOST_AUTO_TEST_CASE(empty_meshes)
   all.add(sphere(2));
   all.add(Mesh());
   all.add_maps(1000000);
-  const Atlas_report report = all.make();
+  const auto report = all.make();
   BOOST_TEST(report.has_atlas());
   BOOST_TEST(report.charts.size() > 0u);
   for(const Atlas_report::Chart& chart : report.charts)
@@ -235,7 +235,7 @@ BOOST_AUTO_TEST_CASE(polyhedra)
   }
   std::vector<std::map<Halfedge, Point_2>> uv(2);
   std::vector<boost::associative_property_map<std::map<Halfedge, Point_2>>> maps(uv.begin(), uv.end());
-  const Atlas_report report = make_common_atlas(polyhedra, maps);
+  const auto report = make_common_atlas(polyhedra, maps);
   BOOST_TEST(report.has_atlas());
   for(unsigned i = 0; i < 2; ++i)
     BOOST_TEST(uv[i].size() == 3 * num_faces(polyhedra[i]));

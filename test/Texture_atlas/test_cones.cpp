@@ -382,7 +382,7 @@ BOOST_AUTO_TEST_CASE(seams_between_two_terminals)
     const Halfedge h = mesh.halfedge(Edge(static_cast<Mesh::size_type>(mesh.number_of_edges() / 3)));
     const std::vector<Vertex> ends = {mesh.source(h), mesh.target(h)};
     const std::set<Vertex> both(ends.begin(), ends.end());
-    const Seam_report report = TA::cut_to_disks(mesh, seams, through(both));
+    const auto report = TA::cut_to_disks(mesh, seams, through(both));
     check_disk(mesh, seams, report);
     BOOST_TEST(report.number_of_terminals == 2u);
     BOOST_TEST(seams_at(mesh, seams, ends[0]) == 1u);
@@ -400,7 +400,7 @@ BOOST_AUTO_TEST_CASE(seams_of_several_parts)
   CGAL::copy_face_graph(sphere_with_holes(2, 3).mesh(), mesh);
   const std::set<Vertex> terminals = random_vertices(mesh, 20, 5);
   const Seam_map seams = add_seams(mesh);
-  const Seam_report report = TA::cut_to_disks(mesh, seams, through(terminals));
+  const auto report = TA::cut_to_disks(mesh, seams, through(terminals));
   check_disk(mesh, seams, report);
   BOOST_TEST(report.number_of_components == 3u);
   for(Vertex v : terminals)
@@ -438,7 +438,7 @@ BOOST_AUTO_TEST_CASE(terminals_that_cannot_be_reached)
       is_forbidden[mesh.edge(h)] = true;
     const Vertex other = mesh.target(mesh.next(mesh.next(mesh.opposite(mesh.next(mesh.halfedge(walled))))));
     for(const std::set<Vertex>& terminals : {std::set<Vertex>{walled}, {other, walled}}) {
-      const Seam_report report =
+      const auto report =
           TA::cut_to_disks(mesh, seams, through(terminals).edge_is_constrained_map(is_forbidden));
       BOOST_TEST(report.status == Diagnosis::NO_CUT_ALLOWED);
       BOOST_TEST(report.message.find("must be reached") != std::string::npos);
@@ -446,7 +446,7 @@ BOOST_AUTO_TEST_CASE(terminals_that_cannot_be_reached)
         BOOST_TEST(!seams[e]);
     }
     const std::set<Vertex> lonely = {other, mesh.add_vertex(Point_3(9, 9, 9))};
-    const Seam_report report = TA::cut_to_disks(mesh, seams, through(lonely));
+    const auto report = TA::cut_to_disks(mesh, seams, through(lonely));
     BOOST_TEST(report.status == Diagnosis::WRONG_OPTION);
     BOOST_TEST(report.message.find("vertex " + std::to_string(mesh.number_of_vertices() - 1) +
                                    " has no face") == 0u);

@@ -119,7 +119,7 @@ double length(const Mesh& mesh, Edge e)
 
 struct Crease_atlas
 {
-  TA::Crease_report creases;
+  SMP::Mesh_report<Mesh, TA::Crease_report> creases;
   Atlas_run run;
 };
 

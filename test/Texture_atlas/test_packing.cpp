@@ -452,7 +452,7 @@ std::string check_failure(Charts& charts, Diagnosis diagnosis,
                           const NamedParameters& np = parameters::default_values())
 {
   const auto before = charts.coordinates();
-  const Packing_report report = TA::pack_charts(charts.mesh, charts.chart, charts.uv, options, np);
+  const auto report = TA::pack_charts(charts.mesh, charts.chart, charts.uv, options, np);
   BOOST_TEST(!report);
   BOOST_TEST(report.status == diagnosis);
   BOOST_TEST(!report.message.empty());
@@ -469,7 +469,7 @@ std::string check_failure(Charts& charts, Diagnosis diagnosis,
 BOOST_AUTO_TEST_CASE(surface_mesh)
 {
   Charts_of_mesh<Doubles::Point_3, Doubles::Point_2> charts(30, 21);
-  const Packing_report report =
+  const auto report =
       TA::pack_charts(charts.mesh, charts.chart, charts.uv,
                       with<Packing_options>(&Packing_options::resolution, 128, &Packing_options::gutter, 3));
   BOOST_REQUIRE_MESSAGE(report, report.message);
@@ -489,9 +489,9 @@ BOOST_AUTO_TEST_CASE(weights)
   Charts_of_mesh<Doubles::Point_3, Doubles::Point_2> charts(12, 22);
   for(const auto f : charts.mesh.faces())
     charts.weight[f] = f.idx() % 3 == 0 ? 3 : 1;
-  const Packing_report report = TA::pack_charts(charts.mesh, charts.chart, charts.uv,
-                                                with<Packing_options>(&Packing_options::resolution, 512),
-                                                parameters::face_size_map(charts.weight));
+  const auto report = TA::pack_charts(charts.mesh, charts.chart, charts.uv,
+                                      with<Packing_options>(&Packing_options::resolution, 512),
+                                      parameters::face_size_map(charts.weight));
   BOOST_REQUIRE_MESSAGE(report, report.message);
   check_mesh(charts, 512, 2);
   for(const auto f : charts.mesh.faces())
@@ -501,14 +501,14 @@ BOOST_AUTO_TEST_CASE(weights)
 BOOST_AUTO_TEST_CASE(coordinates_of_floats_and_of_exact_numbers)
 {
   Charts_of_mesh<Floats::Point_3, Floats::Point_2> floats(25, 23);
-  const Packing_report report =
+  const auto report =
       TA::pack_charts(floats.mesh, floats.chart, floats.uv,
                       with<Packing_options>(&Packing_options::resolution, 256, &Packing_options::gutter, 2));
   BOOST_REQUIRE_MESSAGE(report, report.message);
   check_mesh(floats, 256, 2);
 
   Charts_of_mesh<Exact::Point_3, Exact::Point_2> exact(8, 24);
-  const Packing_report exact_report =
+  const auto exact_report =
       TA::pack_charts(exact.mesh, exact.chart, exact.uv,
                       with<Packing_options>(&Packing_options::resolution, 64, &Packing_options::gutter, 2));
   BOOST_REQUIRE_MESSAGE(exact_report, exact_report.message);
@@ -529,7 +529,7 @@ BOOST_AUTO_TEST_CASE(polyhedron)
     for(const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
       put(uv, h, Doubles::Point_2(target(h, mesh)->point().x(), target(h, mesh)->point().y()));
   }
-  const Packing_report report = TA::pack_charts(
+  const auto report = TA::pack_charts(
       mesh, chart, uv, with<Packing_options>(&Packing_options::resolution, 128, &Packing_options::gutter, 2));
   BOOST_REQUIRE_MESSAGE(report, report.message);
   std::vector<Planar_point> corners;
@@ -549,7 +549,7 @@ BOOST_AUTO_TEST_CASE(faces_without_chart_stay)
   charts.chart[f] = -3;
   for(const auto h : charts.mesh.halfedges_around_face(charts.mesh.halfedge(f)))
     charts.uv[h] = Doubles::Point_2(infinity, h.idx());
-  const Packing_report report =
+  const auto report =
       TA::pack_charts(charts.mesh, charts.chart, charts.uv,
                       with<Packing_options>(&Packing_options::resolution, 64, &Packing_options::gutter, 2));
   BOOST_REQUIRE_MESSAGE(report, report.message);

@@ -248,10 +248,7 @@ struct Squares
       uv[h] = {mesh.point(mesh.target(h)).x(), mesh.point(mesh.target(h)).y()};
   }
 
-  TA::Packing_report pack(const Packing_options& options)
-  {
-    return TA::pack_charts(mesh, chart, uv, options);
-  }
+  auto pack(const Packing_options& options) { return TA::pack_charts(mesh, chart, uv, options); }
 };
 
 Packing_options with_density(int resolution, double texels)
@@ -263,7 +260,7 @@ Packing_options with_density(int resolution, double texels)
 void check_failure(const Packing_options& options, Diagnosis diagnosis, const std::vector<std::string>& words)
 {
   Squares squares(3);
-  const TA::Packing_report report = squares.pack(options);
+  const auto report = squares.pack(options);
   BOOST_TEST((report.status == diagnosis));
   for(const std::string& word : words)
     BOOST_TEST(report.message.find(word) != std::string::npos, report.message << " has no " << word);
@@ -278,7 +275,7 @@ void check_failure(const Packing_options& options, Diagnosis diagnosis, const st
 BOOST_AUTO_TEST_CASE(pages_are_numbered_as_in_UDIM)
 {
   Squares squares(48);
-  const TA::Packing_report report = squares.pack(with_density(128, 50));
+  const auto report = squares.pack(with_density(128, 50));
   BOOST_REQUIRE_MESSAGE(report, report.message);
   BOOST_TEST(report.number_of_pages == 12u);
   BOOST_REQUIRE_EQUAL(report.page_of_chart.size(), 48u);

@@ -242,7 +242,7 @@ BOOST_AUTO_TEST_CASE(meshes_of_polygons_and_triangles_share_an_atlas)
     seams.push_back(mesh.add_property_map<Edge, bool>("e:test", false).first);
     charts.push_back(mesh.add_property_map<Face, int>("f:test", -1).first);
   }
-  const TA::Atlas_report report = TA::make_common_atlas(meshes, seams, uv, charts);
+  const auto report = TA::make_common_atlas(meshes, seams, uv, charts);
   BOOST_TEST(bool(report), report.message);
   int most = -1;
   for(std::size_t i = 0; i < meshes.size(); ++i) {

@@ -264,7 +264,7 @@ BOOST_AUTO_TEST_CASE(of_wrong_sides_are_refused)
   const Halfedge next = disk.next(border), third = disk.next(next);
   BOOST_TEST(run(next, third).status == SMP::Diagnosis::WRONG_OPTION);
   BOOST_TEST(run(border, border).status == SMP::Diagnosis::WRONG_OPTION);
-  const Report glued = run(next, border); // a cone of both sides of one of the corners
+  const auto glued = run(next, border); // a cone of both sides of one of the corners
   BOOST_TEST(glued.status == SMP::Diagnosis::NOTHING_WRONG);
   BOOST_TEST(glued.largest_seam_jump < 1e-5);
 }

@@ -131,8 +131,8 @@ BOOST_AUTO_TEST_CASE(seams_do_not_depend_on_the_way_of_prediction)
     const Seam_map updated = mesh.add_property_map<Edge, bool>("e:updated", false).first,
                    anew = mesh.add_property_map<Edge, bool>("e:anew", false).first;
     const auto options = with<Seam_options>(&Seam_options::stretch_bound, 1.03);
-    const Seam_report report = TA::select_seams(mesh, updated, options);
-    const Seam_report expected =
+    const auto report = TA::select_seams(mesh, updated, options);
+    const auto expected =
         TA::select_seams(mesh, anew, options, parameters::sparse_linear_solver(Forgetful_traits()));
     BOOST_TEST_INFO_SCOPE(surface.name);
     BOOST_TEST_REQUIRE(expected.message == "");
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(few_factorizations_for_many_terminals)
       Mesh mesh = surface.mesh();
       Calls calls;
       const Seam_map seams = mesh.add_property_map<Edge, bool>("e:seam", false).first;
-      const Seam_report report =
+      const auto report =
           TA::select_seams(mesh, seams,
                            with<Seam_options>(&Seam_options::stretch_bound, 1.0001,
                                               &Seam_options::maximum_number_of_terminals, terminals),

@@ -47,7 +47,6 @@ typedef Mesh::Halfedge_index Halfedge;
 typedef Mesh::Vertex_index Vertex;
 typedef CGAL::Polyhedron_3<seam_surfaces::Kernel> Polyhedron;
 typedef seam_surfaces::Kernel::Point_2 Point_2;
-typedef TA::Seam_selection_report Report;
 typedef std::set<std::pair<std::size_t, std::size_t>> Pairs;
 
 namespace {
@@ -99,7 +98,7 @@ Pairs marked(const Mesh& mesh, Edge_map seams)
 // Reads a text as the seams of an octahedron.
 struct Octahedron
 {
-  Report read(const std::string& text)
+  auto read(const std::string& text)
   {
     std::istringstream in(text);
     return TA::read_seam_selection(in, mesh, seams);
@@ -271,7 +270,7 @@ BOOST_AUTO_TEST_CASE(weights_of_bad_meshes)
 BOOST_AUTO_TEST_CASE(selections)
 {
   Octahedron o;
-  const Report report = o.read("7 8\n1 2\n0 2 2 4 \n");
+  const auto report = o.read("7 8\n1 2\n0 2 2 4 \n");
   BOOST_TEST(report.message == "");
   BOOST_TEST(static_cast<bool>(report));
   BOOST_TEST(report.number_of_seams == 2u);
@@ -294,7 +293,7 @@ BOOST_AUTO_TEST_CASE(wrong_selections)
   const auto check = [](const std::string& text, SMP::Diagnosis diagnosis, std::size_t line,
                         std::size_t element, const std::string& message) {
     Octahedron o;
-    const Report report = o.read(text);
+    const auto report = o.read(text);
     BOOST_TEST(!static_cast<bool>(report));
     BOOST_TEST(SMP::to_string(report.status) == SMP::to_string(diagnosis));
     BOOST_TEST(report.line == line);
@@ -325,7 +324,7 @@ BOOST_AUTO_TEST_CASE(wrong_selections)
 BOOST_AUTO_TEST_CASE(selection_files)
 {
   Octahedron o;
-  const Report missing = TA::read_seam_selection("no such folder/a.selection.txt", o.mesh, o.seams);
+  const auto missing = TA::read_seam_selection("no such folder/a.selection.txt", o.mesh, o.seams);
   BOOST_TEST(SMP::to_string(missing.status) == "CANNOT_OPEN");
   BOOST_TEST(missing.message == "cannot open no such folder/a.selection.txt");
   BOOST_TEST(
@@ -352,7 +351,7 @@ BOOST_AUTO_TEST_CASE(marked_borders)
   Mesh mesh = seam_surfaces::tube(5, 2).mesh();
   const Edge_map seams = seam_map(mesh);
   std::istringstream in("\n\n0 1 0 5 5 10");
-  const Report report = TA::read_seam_selection(in, mesh, seams);
+  const auto report = TA::read_seam_selection(in, mesh, seams);
   BOOST_TEST(report.number_of_border_edges == 1u);
   BOOST_TEST(report.number_of_seams == 2u);
   BOOST_TEST((marked(mesh, seams) == Pairs{{0, 5}, {5, 10}}));

@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(cuts_leave_disks_that_can_be_flattened)
     Mesh mesh = surface.mesh();
     const Seam_map seams = add_seams(mesh);
     BOOST_TEST_INFO_SCOPE(surface.name);
-    const Seam_report report = TA::cut_to_disks(mesh, seams);
+    const auto report = TA::cut_to_disks(mesh, seams);
     check_report(mesh, seams, report);
     BOOST_TEST(report.number_of_components == 1u);
     BOOST_TEST(std::isfinite(flattened_stretch(mesh, seams)));
@@ -181,8 +181,7 @@ BOOST_AUTO_TEST_CASE(selected_seams_keep_the_bound)
     Mesh mesh = surface.mesh();
     const Seam_map seams = add_seams(mesh);
     BOOST_TEST_INFO_SCOPE(surface.name);
-    const Seam_report report =
-        TA::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, 1.2));
+    const auto report = TA::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, 1.2));
     check_report(mesh, seams, report);
     BOOST_TEST(report.bound_reached);
     BOOST_TEST(report.predicted_stretch <= 1.2);
@@ -196,7 +195,7 @@ BOOST_AUTO_TEST_CASE(the_prediction_is_that_of_the_map)
     for(double bound : {1.3, 1.1, 1.05}) {
       Mesh mesh = surface.mesh();
       const Seam_map seams = add_seams(mesh);
-      const Seam_report report =
+      const auto report =
           TA::select_seams(mesh, seams, with<Seam_options>(&Seam_options::stretch_bound, bound));
       BOOST_TEST(report.predicted_stretch <= bound);
       BOOST_TEST(flattened_stretch(mesh, seams) == report.predicted_stretch,
@@ -209,7 +208,7 @@ BOOST_AUTO_TEST_CASE(large_surfaces)
 {
   Mesh mesh = seam_surfaces::sphere(6).mesh();
   const Seam_map seams = add_seams(mesh);
-  const Seam_report report = TA::select_seams(mesh, seams);
+  const auto report = TA::select_seams(mesh, seams);
   check_report(mesh, seams, report);
   BOOST_TEST(report.bound_reached);
   BOOST_TEST(flattened_stretch(mesh, seams) == report.predicted_stretch, boost::test_tools::tolerance(0.05));
@@ -254,8 +253,7 @@ BOOST_AUTO_TEST_CASE(large_surfaces_with_handles_and_forbidden_edges)
         weights[e] = is_forbidden ? std::numeric_limits<double>::infinity() : length(mesh, e);
       }
       BOOST_TEST_INFO_SCOPE(surface.name << ", kind " << kind);
-      const Seam_report report =
-          TA::select_seams(mesh, seams, Seam_options(), parameters::edge_weight_map(weights));
+      const auto report = TA::select_seams(mesh, seams, Seam_options(), parameters::edge_weight_map(weights));
       check_report(mesh, seams, report);
       for(Edge e : mesh.edges())
         BOOST_TEST_REQUIRE(!(seams[e] && std::isinf(weights[e])));
@@ -269,7 +267,7 @@ BOOST_AUTO_TEST_CASE(fewer_terminals_than_the_bound_needs)
 {
   Mesh mesh = seam_surfaces::sphere(3).mesh();
   const Seam_map seams = add_seams(mesh);
-  const Seam_report report = TA::select_seams(
+  const auto report = TA::select_seams(
       mesh, seams,
       with<Seam_options>(&Seam_options::stretch_bound, 1.01, &Seam_options::maximum_number_of_terminals, 4));
   check_report(mesh, seams, report);
@@ -290,7 +288,7 @@ BOOST_AUTO_TEST_CASE(given_seams_are_kept)
       seams[e] = !mesh.is_border(e) && random() % 30 == 0;
     const std::vector<bool> given = marks(mesh, seams);
     BOOST_TEST_INFO_SCOPE("seed " << seed << ", " << surface.name);
-    const Seam_report report = seed % 2 == 0 ? TA::cut_to_disks(mesh, seams) : TA::select_seams(mesh, seams);
+    const auto report = seed % 2 == 0 ? TA::cut_to_disks(mesh, seams) : TA::select_seams(mesh, seams);
     BOOST_TEST(report.message == "");
     const auto check = TA::is_disk_cut(mesh, seams);
     BOOST_TEST(bool(check), check.message);
@@ -332,7 +330,7 @@ BOOST_AUTO_TEST_CASE(a_seam_of_one_edge_cannot_become_longer)
   seams[Edge(7)] = true;
   for(bool selects : {false, true}) {
     const auto np = parameters::edge_is_constrained_map(is_forbidden);
-    const Seam_report report =
+    const auto report =
         selects ? TA::select_seams(mesh, seams, Seam_options(), np) : TA::cut_to_disks(mesh, seams, np);
     BOOST_TEST(report.status == SMP::Diagnosis::NO_CUT_ALLOWED);
   }
@@ -364,7 +362,7 @@ BOOST_AUTO_TEST_CASE(no_way_is_left)
         is_forbidden[e] = true;
   for(bool selects : {false, true}) {
     const auto np = parameters::edge_is_constrained_map(is_forbidden);
-    const Seam_report report =
+    const auto report =
         selects ? TA::select_seams(mesh, seams, Seam_options(), np) : TA::cut_to_disks(mesh, seams, np);
     BOOST_TEST(report.status == SMP::Diagnosis::NO_CUT_ALLOWED);
     BOOST_TEST(report.message.find("vertex at (") != std::string::npos);
@@ -390,8 +388,7 @@ BOOST_AUTO_TEST_CASE(weights_count_instead_of_lengths)
   BOOST_TEST(cheap >= 23);
   for(double wrong : {-1., std::numeric_limits<double>::quiet_NaN()}) {
     weights[Edge(17)] = wrong;
-    const Seam_report report =
-        TA::select_seams(mesh, seams, Seam_options(), parameters::edge_weight_map(weights));
+    const auto report = TA::select_seams(mesh, seams, Seam_options(), parameters::edge_weight_map(weights));
     BOOST_TEST(report.status == SMP::Diagnosis::WRONG_WEIGHT);
     BOOST_TEST(report.message.find("the edge from (") != std::string::npos);
   }
@@ -435,7 +432,7 @@ BOOST_AUTO_TEST_CASE(seams_become_shorter)
       if(is_end(v))
         ends.push_back(v);
     const double before = seam_length(mesh, seams);
-    const Seam_report report = TA::shorten_seams(mesh, seams);
+    const auto report = TA::shorten_seams(mesh, seams);
     BOOST_TEST(report.seam_length < 0.95 * before);
     BOOST_TEST(bool(TA::is_disk_cut(mesh, seams)));
     for(Vertex v : ends) {
@@ -459,9 +456,9 @@ BOOST_AUTO_TEST_CASE(disks_are_counted)
       seams[mesh.edge(h)] = true;
     if(kind == 0)
       TA::cut_to_disks(mesh, seams);
-    const Seam_report report = kind == 0   ? TA::shorten_seams(mesh, seams)
-                               : kind == 1 ? TA::cut_to_disks(mesh, seams)
-                                           : TA::select_seams(mesh, seams);
+    const auto report = kind == 0   ? TA::shorten_seams(mesh, seams)
+                        : kind == 1 ? TA::cut_to_disks(mesh, seams)
+                                    : TA::select_seams(mesh, seams);
     BOOST_TEST_INFO_SCOPE("kind " << kind);
     BOOST_TEST(report.message == "");
     BOOST_TEST(report.number_of_components == 2u);
@@ -480,7 +477,7 @@ BOOST_AUTO_TEST_CASE(all_components_are_cut)
   mesh.add_face(mesh.add_vertex(Mesh::Point(0, 0, 9)), mesh.add_vertex(Mesh::Point(1, 0, 9)),
                 mesh.add_vertex(Mesh::Point(0, 1, 9)));
   const Seam_map seams = add_seams(mesh);
-  const Seam_report report = TA::select_seams(mesh, seams);
+  const auto report = TA::select_seams(mesh, seams);
   check_report(mesh, seams, report);
   BOOST_TEST(report.number_of_components == 4u);
 }
@@ -502,7 +499,7 @@ BOOST_AUTO_TEST_CASE(nothing_depends_on_threads_or_on_the_kind_of_mesh)
   const auto seams = get(CGAL::dynamic_edge_property_t<bool>(), polyhedron);
   for(auto e : edges(polyhedron))
     put(seams, e, false);
-  const Seam_report report = TA::select_seams(polyhedron, seams);
+  const auto report = TA::select_seams(polyhedron, seams);
   BOOST_TEST(report.status == SMP::Diagnosis::NOTHING_WRONG);
   BOOST_TEST(bool(TA::is_disk_cut(polyhedron, seams)));
 }
@@ -511,7 +508,7 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_named)
 {
   const auto diagnosis_of = [](Mesh mesh) {
     const Seam_map seams = add_seams(mesh);
-    const Seam_report report = TA::select_seams(mesh, seams);
+    const auto report = TA::select_seams(mesh, seams);
     BOOST_TEST(report.message != "");
     BOOST_TEST(seam_length(mesh, seams) == 0);
     return report.status;
@@ -552,7 +549,7 @@ BOOST_AUTO_TEST_CASE(degenerate_surfaces_are_cut)
           mesh.point(Vertex(4 * i)) = mesh.point(Vertex(4 * i + 1));
       const Seam_map seams = add_seams(mesh);
       BOOST_TEST_INFO_SCOPE(surface.name << ", kind " << kind);
-      const Seam_report report = kind < 3 ? TA::select_seams(mesh, seams) : TA::cut_to_disks(mesh, seams);
+      const auto report = kind < 3 ? TA::select_seams(mesh, seams) : TA::cut_to_disks(mesh, seams);
       BOOST_TEST(report.message == "");
       const auto check = TA::is_disk_cut(mesh, seams);
       BOOST_TEST(bool(check), check.message);

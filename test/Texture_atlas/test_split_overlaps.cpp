@@ -93,7 +93,7 @@ struct Flat_mesh
   }
 
   template <typename NamedParameters = parameters::Default_named_parameters>
-  Overlap_split_report split(const NamedParameters& np = parameters::default_values())
+  auto split(const NamedParameters& np = parameters::default_values())
   {
     return TA::split_overlaps(mesh, uv, seams, piece, np);
   }
@@ -410,7 +410,7 @@ BOOST_AUTO_TEST_CASE(charts_without_overlap_stay_as_they_are)
   for(const Chart& chart :
       {test_charts::flat_grid(8, 3), test_charts::annulus(12), test_charts::spiral(200), helicoid(0.9)}) {
     Flat_mesh flat(chart);
-    const Overlap_split_report report = flat.split();
+    const auto report = flat.split();
     check_pieces(flat, report, false);
     BOOST_TEST(report.number_of_charts == 1u);
     BOOST_TEST(report.number_of_pieces == 1u);
@@ -428,7 +428,7 @@ BOOST_AUTO_TEST_CASE(spirals_over_themselves_are_cut_across)
 {
   for(double turns : {1.125, 1.5, 1.875, 2.5, 3.25, 5.5, 9.75}) {
     Flat_mesh flat(helicoid(turns));
-    const Overlap_split_report report = flat.split();
+    const auto report = flat.split();
     BOOST_TEST_INFO_SCOPE(turns << " turns");
     check_pieces(flat, report);
     BOOST_TEST(report.number_of_pieces >= std::ceil(turns));
@@ -447,7 +447,7 @@ BOOST_AUTO_TEST_CASE(more_than_two_sheets_and_several_overlaps_are_separated)
 {
   for(const Chart& chart : {lissajous_ribbon(), rose_ribbon()}) {
     Flat_mesh flat(chart);
-    const Overlap_split_report report = flat.split();
+    const auto report = flat.split();
     check_pieces(flat, report);
     BOOST_TEST(report.number_of_pieces >= 3u);
     BOOST_TEST(report.number_of_pieces <= 8u);
@@ -458,7 +458,7 @@ BOOST_AUTO_TEST_CASE(more_than_two_sheets_and_several_overlaps_are_separated)
 BOOST_AUTO_TEST_CASE(many_sheets_are_separated)
 {
   Flat_mesh flat(helicoid(60.5, 1));
-  const Overlap_split_report report = flat.split();
+  const auto report = flat.split();
   check_pieces(flat, report);
   BOOST_TEST(report.number_of_pieces >= 61u);
   BOOST_TEST(report.number_of_pieces <= 122u);
@@ -469,7 +469,7 @@ BOOST_AUTO_TEST_CASE(vertices_are_gone_around_once)
 {
   for(double turns : {1.25, 1.5, 2., 2.75, 3., 5.}) {
     Flat_mesh flat = fan(turns);
-    const Overlap_split_report report = flat.split();
+    const auto report = flat.split();
     BOOST_TEST_INFO_SCOPE(turns << " turns");
     check_pieces(flat, report);
     BOOST_TEST(report.number_of_pieces >= 2u);
@@ -486,7 +486,7 @@ BOOST_AUTO_TEST_CASE(pieces_of_random_disks_are_injective_disks)
                                         random);
     Flat_mesh flat(disk.points(), disk.triangles());
     BOOST_TEST_INFO_SCOPE("seed " << seed);
-    const Overlap_split_report report = flat.split();
+    const auto report = flat.split();
     check_pieces(flat, report);
     BOOST_TEST(report.number_of_overlapping_faces == flat.overlapping().size());
     BOOST_TEST((report.number_of_pieces > 1) == (report.number_of_overlapping_faces > 0));
@@ -507,7 +507,7 @@ BOOST_AUTO_TEST_CASE(charts_with_holes_and_several_components_are_split)
     Flat_mesh flat(surface.points(), surface.triangles());
     BOOST_TEST_INFO_SCOPE("seed " << seed);
     std::size_t faces = 0;
-    const Overlap_split_report report = flat.split();
+    const auto report = flat.split();
     BOOST_TEST(report.message == "");
     const auto check = TA::is_disk_cut(flat.mesh, flat.seams);
     for(const auto& part : check.parts)
@@ -521,7 +521,7 @@ BOOST_AUTO_TEST_CASE(charts_with_holes_and_several_components_are_split)
       {std::make_pair(false, false), {true, false}, {false, true}, {true, true}}) {
     const test_charts::Crosswise_sheets sheets(left, right);
     Flat_mesh flat(sheets.points(), sheets.triangles());
-    const Overlap_split_report report = flat.split();
+    const auto report = flat.split();
     check_pieces(flat, report, false);
     BOOST_TEST(report.number_of_pieces >= 2u);
   }
@@ -539,7 +539,7 @@ BOOST_AUTO_TEST_CASE(seams_are_kept_and_bound_charts)
   for(Edge e : flat.mesh.edges())
     flat.seams[e] = is_given(e);
   // The two charts overlap each other as well, which does not matter.
-  const Overlap_split_report report = flat.split();
+  const auto report = flat.split();
   check_pieces(flat, report);
   BOOST_TEST(report.number_of_charts == 2u);
   BOOST_TEST(report.number_of_overlapping_charts == 2u);
@@ -549,7 +549,7 @@ BOOST_AUTO_TEST_CASE(seams_are_kept_and_bound_charts)
 
   const std::vector<bool> marks = flat.seam_marks();
   const std::vector<int> pieces = flat.pieces();
-  const Overlap_split_report again = flat.split();
+  const auto again = flat.split();
   BOOST_TEST(again.number_of_charts == report.number_of_pieces);
   BOOST_TEST(again.added_seam_length == 0);
   BOOST_TEST((flat.seam_marks() == marks));
@@ -562,7 +562,7 @@ BOOST_AUTO_TEST_CASE(a_closed_ring_with_a_seam_becomes_two_disks)
   for(int n : {6, 12, 30}) {
     Flat_mesh flat(test_charts::annulus(n));
     TA::cut_to_disks(flat.mesh, flat.seams);
-    const Overlap_split_report report = flat.split();
+    const auto report = flat.split();
     check_pieces(flat, report);
     BOOST_TEST(report.number_of_charts == 1u);
     BOOST_TEST(report.number_of_pieces == 2u);
@@ -586,7 +586,7 @@ BOOST_AUTO_TEST_CASE(some_edges_must_not_become_seams)
     is_forbidden[e] = true;
   }
   const std::vector<int> before = flat.pieces();
-  const Overlap_split_report report = flat.split(np);
+  const auto report = flat.split(np);
   BOOST_TEST(report.status == SMP::Diagnosis::NO_CUT_ALLOWED);
   BOOST_TEST(report.message.find("the face with the vertices at (") == 0u);
   const std::vector<bool> marks = flat.seam_marks();
@@ -616,7 +616,7 @@ BOOST_AUTO_TEST_CASE(weights_count_instead_of_lengths)
 
   for(double wrong : {-1., std::nan("")}) {
     weights[Edge(17)] = wrong;
-    const Overlap_split_report report = flat.split(np);
+    const auto report = flat.split(np);
     BOOST_TEST(report.status == SMP::Diagnosis::WRONG_WEIGHT);
     BOOST_TEST(report.message.find("the edge from (") == 0u);
   }
@@ -625,7 +625,7 @@ BOOST_AUTO_TEST_CASE(weights_count_instead_of_lengths)
 BOOST_AUTO_TEST_CASE(wrong_input_is_named)
 {
   const auto diagnosis_of = [](Flat_mesh& flat, const std::string& place) {
-    const Overlap_split_report report = flat.split();
+    const auto report = flat.split();
     BOOST_TEST(!report);
     BOOST_TEST(report.message.find(place) != std::string::npos, report.message);
     const std::vector<bool> marks = flat.seam_marks();
@@ -704,7 +704,7 @@ BOOST_AUTO_TEST_CASE(nothing_depends_on_threads_or_on_the_kind_of_mesh)
       [](auto v) { return Point_2(v->point().x(), v->point().y()); });
   std::vector<boost::graph_traits<Polyhedron>::face_descriptor> overlapping;
   TA::overlapping_faces(polyhedron, uv, std::back_inserter(overlapping));
-  const Overlap_split_report report = TA::split_overlaps(polyhedron, uv, seams, piece);
+  const auto report = TA::split_overlaps(polyhedron, uv, seams, piece);
   BOOST_TEST(report.number_of_overlapping_faces == overlapping.size());
   pieces.emplace_back();
   for(auto f : faces(polyhedron))
@@ -733,7 +733,7 @@ BOOST_AUTO_TEST_CASE(maps_of_real_surfaces_need_short_seams)
     for(Halfedge h : flat.mesh.halfedges())
       flat.uv[h] = map[flat.mesh.target(h)];
     BOOST_TEST_INFO_SCOPE(file);
-    const Overlap_split_report report = flat.split();
+    const auto report = flat.split();
     check_pieces(flat, report);
     BOOST_TEST(report.number_of_pieces > 1u);
     sum += report.extra_seam;

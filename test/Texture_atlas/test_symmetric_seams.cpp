@@ -189,9 +189,10 @@ BOOST_AUTO_TEST_CASE(wrong_input)
   const Marks seams = ball.marks();
   TA::select_seams(ball.mesh, seams);
   const double length = TA::measure_symmetry(ball.mesh, seams, plane).seam_length;
-  TA::Mirror_plane_report wrong = plane;
+  auto wrong = plane, none = plane;
   wrong.normal[0] += 1;
-  for(const TA::Mirror_plane_report& p : {wrong, TA::Mirror_plane_report{{}, {0, 0, 0}}}) {
+  none.normal = {0, 0, 0};
+  for(const auto& p : {wrong, none}) {
     const auto report = TA::symmetrize_seams(ball.mesh, seams, p);
     BOOST_TEST(report.status == SMP::Diagnosis::WRONG_OPTION);
     BOOST_TEST((report.message.find("normal") != std::string::npos));

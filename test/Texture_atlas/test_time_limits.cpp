@@ -116,30 +116,40 @@ TA::Cone_options cones(double limit)
 typedef SMP::ABF_plus_plus_parameterizer_3<Mesh> Direct;
 typedef SMP::Hierarchical_ABF_plus_plus_parameterizer_3<Mesh> Hierarchical;
 
+// What all reports have in common
+SMP::Report without_elements(const SMP::Report& report)
+{
+  return report;
+}
+
 typedef std::function<SMP::Report(Scene&, double)> Limited_call;
 
 // All functions with a limit, for a disk
 std::vector<Limited_call> calls_for_disks()
 {
   return {[](Scene& s, double limit) -> SMP::Report {
-            return SMP::flatten_surface(s.mesh, s.uv, Direct(limited<SMP::ABF_plus_plus_options>(limit)));
+            return without_elements(
+                SMP::flatten_surface(s.mesh, s.uv, Direct(limited<SMP::ABF_plus_plus_options>(limit))));
           },
           [](Scene& s, double limit) -> SMP::Report {
-            return SMP::flatten_surface(s.mesh, s.uv,
-                                        Hierarchical(limited<SMP::Hierarchical_options>(limit)));
+            return without_elements(
+                SMP::flatten_surface(s.mesh, s.uv, Hierarchical(limited<SMP::Hierarchical_options>(limit))));
           },
           [](Scene& s, double limit) -> SMP::Report {
-            return SMP::flatten_surface(s.mesh, s.uv, Hierarchical(injective(limit)));
+            return without_elements(SMP::flatten_surface(s.mesh, s.uv, Hierarchical(injective(limit))));
           },
           [](Scene& s, double limit) -> SMP::Report {
-            return TA::make_atlas(s.mesh, s.seams, s.corner_uv, s.charts, limited<Few_charts>(limit));
+            return without_elements(
+                TA::make_atlas(s.mesh, s.seams, s.corner_uv, s.charts, limited<Few_charts>(limit)));
           },
           [](Scene& s, double limit) -> SMP::Report {
-            return TA::select_seams(s.mesh, s.seams, limited<TA::Seam_options>(limit));
+            return without_elements(TA::select_seams(s.mesh, s.seams, limited<TA::Seam_options>(limit)));
           },
-          [](Scene& s, double limit) -> SMP::Report { return TA::select_cones(s.mesh, 3, cones(limit)); },
           [](Scene& s, double limit) -> SMP::Report {
-            return TA::flatten_with_cones(s.mesh, 3, s.seams, s.corner_uv, cones(limit));
+            return without_elements(TA::select_cones(s.mesh, 3, cones(limit)));
+          },
+          [](Scene& s, double limit) -> SMP::Report {
+            return without_elements(TA::flatten_with_cones(s.mesh, 3, s.seams, s.corner_uv, cones(limit)));
           }};
 }
 
@@ -150,7 +160,7 @@ BOOST_AUTO_TEST_CASE(limits_that_are_wrong)
   Scene scene(test_meshes::bump<Mesh>(4));
   for(const Limited_call& call : calls_for_disks())
     for(double limit : {-1., -infinity, std::numeric_limits<double>::quiet_NaN()}) {
-      const SMP::Report report = call(scene, limit);
+      const SMP::Report& report = call(scene, limit);
       BOOST_TEST(report.status == SMP::Diagnosis::WRONG_OPTION);
       BOOST_TEST(report.message.find("time_limit is ") == 0);
       BOOST_TEST(report.message.find(", and must be at least 0") != std::string::npos);
@@ -162,7 +172,7 @@ BOOST_AUTO_TEST_CASE(no_time_at_all)
 {
   Scene scene(test_meshes::bump<Mesh>(4));
   for(const Limited_call& call : calls_for_disks()) {
-    const SMP::Report report = call(scene, 0);
+    const SMP::Report& report = call(scene, 0);
     BOOST_TEST(report.status == SMP::Diagnosis::TIMED_OUT);
     BOOST_TEST(to_string(report.status) == "TIMED_OUT");
     BOOST_TEST(report.message.find("not done after 0 s") == 0);
@@ -193,7 +203,7 @@ void check_end_at_stage(typename Visitor::Stage stage, Options options, Scene& s
   Waiting_visitor<Visitor> visitor(stage);
   options.visitor = &visitor;
   options.time_limit = short_time;
-  const SMP::Report report = call(options);
+  const SMP::Report& report = call(options);
   BOOST_TEST(report.status == SMP::Diagnosis::TIMED_OUT);
   BOOST_TEST(report.message == last_stage(visitor.last));
   BOOST_TEST((scene.state() == scene.before));
@@ -206,7 +216,7 @@ void check_stages(const Options& options, const std::vector<SMP::Flattening_visi
   Scene scene(test_meshes::bump<Mesh>(14));
   for(SMP::Flattening_visitor::Stage stage : stages)
     check_end_at_stage<SMP::Flattening_visitor>(stage, options, scene, [&](const Options& visited) {
-      return SMP::Report(SMP::flatten_surface(scene.mesh, scene.uv, Parameterizer(visited)));
+      return without_elements(SMP::flatten_surface(scene.mesh, scene.uv, Parameterizer(visited)));
     });
 }
 
@@ -236,7 +246,8 @@ BOOST_AUTO_TEST_CASE(stages_of_atlases)
       options.threads = threads;
       options.resolution = 64;
       check_end_at_stage<V>(stage, options, scene, [&](const TA::Atlas_options& visited) {
-        return SMP::Report(TA::make_atlas(scene.mesh, scene.seams, scene.corner_uv, scene.charts, visited));
+        return without_elements(
+            TA::make_atlas(scene.mesh, scene.seams, scene.corner_uv, scene.charts, visited));
       });
     }
 }
@@ -247,12 +258,13 @@ BOOST_AUTO_TEST_CASE(slow_solvers)
   Scene scene(seam_surfaces::sphere(1).mesh<Mesh>());
   const auto slow = CGAL::parameters::sparse_linear_solver(Slow_traits());
   for(const SMP::Report& report :
-      {SMP::Report(TA::select_seams(scene.mesh, scene.seams, limited<TA::Seam_options>(short_time), slow)),
-       SMP::Report(TA::select_cones(scene.mesh, 4, cones(short_time), slow)),
-       SMP::Report(
+      {without_elements(
+           TA::select_seams(scene.mesh, scene.seams, limited<TA::Seam_options>(short_time), slow)),
+       without_elements(TA::select_cones(scene.mesh, 4, cones(short_time), slow)),
+       without_elements(
            TA::flatten_with_cones(scene.mesh, 4, scene.seams, scene.corner_uv, cones(short_time), slow)),
-       SMP::Report(TA::make_atlas(scene.mesh, scene.seams, scene.corner_uv, scene.charts,
-                                  limited<Few_charts>(short_time), slow))}) {
+       without_elements(TA::make_atlas(scene.mesh, scene.seams, scene.corner_uv, scene.charts,
+                                       limited<Few_charts>(short_time), slow))}) {
     BOOST_TEST(report.status == SMP::Diagnosis::TIMED_OUT);
     BOOST_TEST((scene.state() == scene.before));
   }

@@ -67,7 +67,7 @@ std::size_t choose_seams(const Mesh& mesh, Seam_map seams, const std::string& ch
 }
 
 // With no terminals to be added, `select_seams()` adds nothing to a disk, but says what it predicts.
-SMP::Mesh_report<Mesh, TA::Seam_report> predict(const Mesh& mesh, Seam_map seams)
+auto predict(const Mesh& mesh, Seam_map seams)
 {
   TA::Seam_options options;
   options.maximum_number_of_terminals = 0;

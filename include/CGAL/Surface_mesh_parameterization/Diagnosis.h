@@ -210,8 +210,13 @@ struct Mesh_report;
 /// report without its elements of the mesh: take it as `const auto`.
 struct Report
 {
+  /// Nothing is wrong.
   Report() = default;
 
+  /// Something is wrong, or nothing.
+  Report(Diagnosis what, const std::string& sentence) : status(what), message(sentence) {}
+
+  /// A report of a mesh keeps its elements.
   template <typename Mesh, typename Report_>
   Report(const Mesh_report<Mesh, Report_>&) = delete;
 

@@ -191,7 +191,7 @@ bool takes_points_and_importance()
   for(const Vertex v : mesh.vertices())
     points[v] = Point_3(2 * mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
   const auto importance = mesh.add_property_map<Mesh::Face_index, double>("f:importance", 1.).first;
-  importance[Mesh::Face_index(0)] = 100;
+  importance[Mesh::Face_index(0)] = 10;
   return bool(SMP::flatten_surface(
       mesh, add_uv(mesh), CGAL::parameters::face_importance_map(importance).vertex_point_map(points)));
 }

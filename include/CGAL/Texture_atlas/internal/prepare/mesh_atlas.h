@@ -286,8 +286,9 @@ Atlas_report common_atlas(const MeshRange& meshes, const SeamMaps& seams, const 
                        std::to_string(maps) + " property maps";
       return report;
     }
-  report = static_cast<const Atlas_report&>(atlas_of_meshes(meshes, seams, uv, charts, options, np));
-  return report;
+  // Coordinates are written when the atlas is made, and a copy of the report could run out of memory.
+  auto result = atlas_of_meshes(meshes, seams, uv, charts, options, np);
+  return std::move(static_cast<Atlas_report&>(result));
 }
 
 } // namespace CGAL::Texture_atlas::internal

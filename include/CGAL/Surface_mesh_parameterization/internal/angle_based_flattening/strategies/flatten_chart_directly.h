@@ -46,7 +46,8 @@ namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // The injective map of the hierarchical method, as a result of the direct method. Polishing lowers the energy of angles,
 // and so a map that is to preserve areas is not polished.
-inline Flattening<ABF_plus_plus_report> injective_map(const Chart& chart, const ABF_plus_plus_options& options,
+inline Flattening<ABF_plus_plus_report> injective_map(const Chart& chart,
+                                                      const ABF_plus_plus_options& options,
                                                       const Linear_solvers& solvers, Rounding round)
 {
   Hierarchical_options hierarchical;
