@@ -77,13 +77,6 @@ public:
     return found != 0;
   }
 
-  // 64 texels of a row from x on; those behind the row are not in the set.
-  static Word word_from(const Word* words, int x)
-  {
-    const int i = x / word_size, shift = x % word_size;
-    return words[i] >> shift | words[i + 1] << 1 << (word_size - 1 - shift);
-  }
-
   // Adds the texels of a mask whose lower left corner is at (x, y), where it must not stick out.
   void add(const Texel_mask& mask, int x, int y)
   {

@@ -151,23 +151,6 @@ inline Polygon_soup polygon_soup(const Surface_soup& model)
   return soup;
 }
 
-// Whether the model tells all points and polygons of the soup, because nothing was repaired
-inline bool is_as_in_model(const Polygon_soup& soup, const Surface_soup& model)
-{
-  if(soup.points.size() != model.points.size() || soup.polygons.size() != model.number_of_polygons() ||
-     std::find(soup.is_turned.begin(), soup.is_turned.end(), true) != soup.is_turned.end()) {
-    return false;
-  }
-  for(std::size_t p = 0; p < soup.polygons.size(); ++p) {
-    const auto first = model.vertices.begin() + model.first_corners[p],
-               last = model.vertices.begin() + model.first_corners[p + 1];
-    if(!std::equal(soup.polygons[p].begin(), soup.polygons[p].end(), first, last)) {
-      return false;
-    }
-  }
-  return true;
-}
-
 // Tells of the polygons with fewer corners than in the model.
 inline void tell_repetitions(const Polygon_soup& soup, Notes& notes)
 {
