@@ -10,6 +10,7 @@
 
 #include <boost/graph/graph_traits.hpp>
 
+#include <cstddef>
 #include <ostream>
 #include <string>
 #include <type_traits>
@@ -117,6 +118,19 @@ enum class Diagnosis
   NO_SUCH_EDGE         ///< There is no edge between two vertices.
 };
 
+#ifndef DOXYGEN_RUNNING
+namespace internal::ABF {
+
+// The name of an enumerator with this number; "unknown" for a number that is none
+template <std::size_t N>
+const char* name_of(int number, const char* const (&names)[N])
+{
+  return number < static_cast<int>(N) ? names[number] : "unknown";
+}
+
+} // namespace internal::ABF
+#endif // DOXYGEN_RUNNING
+
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// returns the name of a diagnosis, such as `"NOT_TRIANGULATED"`.
@@ -189,7 +203,7 @@ inline std::string to_string(Diagnosis diagnosis)
                                    "ODD_COUNT",
                                    "NO_SUCH_EDGE"};
   static_assert(sizeof(names) / sizeof(names[0]) == static_cast<int>(Diagnosis::NO_SUCH_EDGE) + 1);
-  return names[static_cast<int>(diagnosis)];
+  return internal::ABF::name_of(static_cast<int>(diagnosis), names);
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef

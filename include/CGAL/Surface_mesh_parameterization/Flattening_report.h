@@ -299,7 +299,7 @@ inline std::string to_string(ABF_plus_plus_report::Strategy strategy)
       "FROM_LAST_ANGLES",           "FROM_TARGET_ANGLES",    "RAISED_BARRIER",
       "FROM_SOFT_PATCHES",          "SOFT_PATCHES",          "STIFF_PATCHES",
       "FROM_PROGRESSIVE_EMBEDDING", "PROGRESSIVE_EMBEDDING", "INJECTIVE_DESCENT"};
-  return names[strategy];
+  return internal::ABF::name_of(strategy, names);
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -310,7 +310,7 @@ inline std::string to_string(ABF_plus_plus_report::Strategy strategy)
 inline std::string to_string(ABF_plus_plus_report::Layout layout)
 {
   constexpr const char* names[] = {"NO_LAYOUT", "EXACT", "LEAST_SQUARES"};
-  return names[layout];
+  return internal::ABF::name_of(layout, names);
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -321,7 +321,7 @@ inline std::string to_string(ABF_plus_plus_report::Layout layout)
 inline std::string to_string(Hierarchical_report::Start start)
 {
   constexpr const char* names[] = {"COARSE_PARAMETERIZER", "PROGRESSIVE_EMBEDDING", "TUTTE_MAP"};
-  return names[start];
+  return internal::ABF::name_of(start, names);
 }
 
 } // namespace Surface_mesh_parameterization

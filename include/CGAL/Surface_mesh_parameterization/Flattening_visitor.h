@@ -68,7 +68,7 @@ inline const char* to_string(Flattening_visitor::Stage stage)
 {
   constexpr const char* names[] = {"READ",         "TARGET_ANGLES", "ANGLES", "LAYOUT",  "COARSEN",
                                    "COARSE_CHART", "REFINE",        "POLISH", "CERTIFY", "WRITE"};
-  return names[stage];
+  return internal::ABF::name_of(stage, names);
 }
 
 } // namespace Surface_mesh_parameterization

@@ -222,7 +222,7 @@ struct Atlas_report : Report
 inline std::string to_string(Atlas_report::Method method)
 {
   constexpr const char* names[] = {"ABF++", "hierarchical ABF++", "injective", "separated", "given"};
-  return names[method];
+  return Surface_mesh_parameterization::internal::ABF::name_of(method, names);
 }
 
 /// \ingroup PkgTextureAtlasRef
@@ -233,7 +233,7 @@ inline std::string to_string(Atlas_report::Method method)
 inline std::string to_string(Atlas_report::Strategy strategy)
 {
   constexpr const char* names[] = {"USUAL", "LARGER_AREA_WEIGHT", "MORE_CHARTS"};
-  return names[strategy];
+  return Surface_mesh_parameterization::internal::ABF::name_of(strategy, names);
 }
 
 /// \ingroup PkgTextureAtlasRef
@@ -245,7 +245,7 @@ inline std::string to_string(Atlas_report::Seam_lengths lengths)
 {
   constexpr const char* names[] = {"NO_SEAMS",  "EQUAL_LENGTHS", "NOT_WANTED",    "OTHER_METHOD",
                                    "NOT_TRIED", "NO_EQUATIONS",  "NOT_CONVERGED", "TOO_MUCH_DISTORTION"};
-  return names[lengths];
+  return Surface_mesh_parameterization::internal::ABF::name_of(lengths, names);
 }
 
 } // namespace Texture_atlas

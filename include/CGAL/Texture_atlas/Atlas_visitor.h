@@ -8,7 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
-#include <cstddef>
+#include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 
 /// \file Atlas_visitor.h
 
@@ -56,7 +56,7 @@ public:
 inline const char* to_string(Atlas_visitor::Stage stage)
 {
   constexpr const char* names[] = {"READ", "CHARTS", "PACK", "CERTIFY", "MEASURE", "WRITE"};
-  return names[stage];
+  return Surface_mesh_parameterization::internal::ABF::name_of(stage, names);
 }
 
 } // namespace Texture_atlas

@@ -27,16 +27,7 @@
 
 namespace CGAL::Texture_atlas::internal {
 
-class Atlas_stage : public Visited_stage<Atlas_visitor>
-{
-public:
-  Atlas_stage(Atlas_visitor* visitor, Atlas_visitor::Stage stage, double& seconds)
-      : Visited_stage(visitor, stage, names[stage], seconds)
-  {}
-
-private:
-  static constexpr const char* names[] = {"READ", "CHARTS", "PACK", "CERTIFY", "MEASURE", "WRITE"};
-};
+typedef Visited_stage<Atlas_visitor> Atlas_stage;
 
 // Reports progress from several threads to a visitor, which may cancel.
 class Atlas_progress

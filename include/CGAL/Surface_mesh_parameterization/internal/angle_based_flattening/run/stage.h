@@ -49,8 +49,8 @@ template <typename Visitor>
 class Visited_stage
 {
 public:
-  Visited_stage(Visitor* visitor, typename Visitor::Stage stage, const char* name, double& seconds)
-      : m_stage(name), m_seconds(seconds)
+  Visited_stage(Visitor* visitor, typename Visitor::Stage stage, double& seconds)
+      : m_stage(to_string(stage)), m_seconds(seconds)
   {
     if(visitor != nullptr && !visitor->start(stage))
       throw Cancelled();
@@ -69,17 +69,7 @@ private:
   Real_timer m_timer;
 };
 
-class Stage : public Visited_stage<Flattening_visitor>
-{
-public:
-  Stage(Flattening_visitor* visitor, Flattening_visitor::Stage stage, double& seconds)
-      : Visited_stage(visitor, stage, names[stage], seconds)
-  {}
-
-private:
-  static constexpr const char* names[] = {"READ",         "TARGET_ANGLES", "ANGLES", "LAYOUT",  "COARSEN",
-                                          "COARSE_CHART", "REFINE",        "POLISH", "CERTIFY", "WRITE"};
-};
+typedef Visited_stage<Flattening_visitor> Stage;
 
 inline void visit_step(Flattening_visitor* visitor, const ABF_plus_plus_step& step)
 {
