@@ -35,6 +35,37 @@
 
 namespace CGAL {
 
+#ifndef DOXYGEN_RUNNING
+namespace internal_np {
+
+enum face_importance_t
+{
+  face_importance
+};
+
+} // namespace internal_np
+#endif // DOXYGEN_RUNNING
+
+namespace parameters {
+
+/// \ingroup PkgAngleBasedFlatteningRef
+///
+/// begins a sequence of named parameters with the importance of faces, for `flatten_surface()`. Other parameters follow
+/// it: `face_importance_map(importance).visitor(visitor)`. Elsewhere in a sequence it does not compile, because the
+/// class of sequences is \cgal's.
+template <typename FaceImportanceMap>
+#ifndef DOXYGEN_RUNNING
+Named_function_parameters<FaceImportanceMap, internal_np::face_importance_t>
+#else
+unspecified_type
+#endif
+face_importance_map(const FaceImportanceMap& map)
+{
+  return Named_function_parameters<FaceImportanceMap, internal_np::face_importance_t>(map);
+}
+
+} // namespace parameters
+
 namespace Surface_mesh_parameterization {
 
 #ifndef DOXYGEN_RUNNING
@@ -141,7 +172,7 @@ if(!report)
     \cgalParamDescription{how much the angles of each face count}
     \cgalParamType{a model of `ReadablePropertyMap` as for `ABF_plus_plus_parameterizer_3::set_importance()`}
     \cgalParamDefault{that of the parameterizer}
-    \cgalParamExtra{It comes first: `parameters::face_importance_map(importance).visitor(visitor)`.}
+    \cgalParamExtra{It is the first parameter of a sequence: `parameters::face_importance_map()`.}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{follows the computation, and may stop it}

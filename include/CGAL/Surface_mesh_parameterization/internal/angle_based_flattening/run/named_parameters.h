@@ -20,27 +20,6 @@
 #include <functional>
 #include <type_traits>
 
-namespace CGAL::internal_np {
-
-enum face_importance_t
-{
-  face_importance
-};
-
-} // namespace CGAL::internal_np
-
-namespace CGAL::parameters {
-
-// A named parameter that CGAL does not have. Members of the class of named parameters are CGAL's alone.
-template <class FaceImportanceMap>
-Named_function_parameters<FaceImportanceMap, internal_np::face_importance_t>
-face_importance_map(const FaceImportanceMap& map)
-{
-  return Named_function_parameters<FaceImportanceMap, internal_np::face_importance_t>(map);
-}
-
-} // namespace CGAL::parameters
-
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 template <class T>
