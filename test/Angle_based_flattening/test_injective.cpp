@@ -20,6 +20,7 @@
 #include <CGAL/SuperLU_solver_traits.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/objectives.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/injective_descent.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/injective/tutte_map.h>
@@ -445,6 +446,24 @@ BOOST_AUTO_TEST_CASE(the_direct_method_preserves_areas_if_asked)
     BOOST_TEST((run.points() == expected.points()));
     BOOST_TEST((direct.report().strategy == SMP::ABF_plus_plus_report::INJECTIVE_DESCENT));
   }
+}
+
+BOOST_AUTO_TEST_CASE(prescribed_angles_go_with_small_area_weights)
+{
+  SMP::ABF_plus_plus_options options;
+  options.injective = true;
+  options.area_weight = 1;
+  Direct direct(options);
+  const Chart chart = bump(8, 1);
+  Run<> run(chart);
+  SMP::Vertex_angles<Surface_mesh> angles;
+  angles.set(run.mesh.target(run.border), 3);
+  direct.set_angle_sums(angles);
+  run.flatten(direct);
+  BOOST_TEST((direct.report().status == SMP::Diagnosis::WRONG_OPTION));
+  BOOST_TEST(direct.report().message.find("area_weight") != std::string::npos);
+  BOOST_TEST(direct.report().triangles == chart.number_of_triangles());
+  BOOST_TEST(run.is_untouched());
 }
 
 BOOST_AUTO_TEST_CASE(polishing_does_not_undo_area_weights)

@@ -48,8 +48,8 @@ struct Flattening_options
   /// (`Hierarchical_report::relaxed_angles`).
   double barrier = 0.1;
 
-  /// Number of threads that work at once, at most 1024; 0 for one on each processor. It has no effect unless the program is linked
-  /// with `CGAL::TBB_support`. It never changes the result.
+  /// Number of threads that work at once, at most 1024; 0 for one on each processor. It has no effect unless the program
+  /// is linked with `CGAL::TBB_support`. It never changes the result.
   int threads = 0;
 
   /// What happens to a chart with more than one border. Other charts ignore this option.
@@ -58,8 +58,8 @@ struct Flattening_options
   /// Whether the map must be globally injective: no two triangles overlap. The result is then an injective map or an
   /// error. The hierarchical method starts from Tutte's map of a coarse chart, stays injective on each level, and does
   /// not call the coarse parameterizer. The direct method returns its own map if that does not overlap itself, and
-  /// otherwise the polished injective map of the hierarchical method. Holes are filled during the computation (`FILL`),
-  /// unless the direct method solves them and its map does not overlap itself.
+  /// otherwise the polished injective map of the hierarchical method; see also `area_weight`. Holes are filled during
+  /// the computation (`FILL`), unless the direct method solves them and its map does not overlap itself.
   bool injective = false;
 
   /// How much injective maps preserve areas, from 0 to 1: the exponent \f$\theta\f$ in the energy
@@ -68,7 +68,7 @@ struct Flattening_options
   /// this is a quarter of the symmetric Dirichlet energy: the map is as isometric as possible. At 0, only angles count;
   /// branches of the surface that are stuck between others then shrink. Up to 0.1, final sweeps lower the energy of the
   /// direct method, and the direct method polishes: the weight shapes only the map that it starts from. Above 0.1, both
-  /// methods give the map with the least energy of this form, also where the map of the direct method would not overlap
+  /// methods give the same map, which lowers this energy, also where the map of the direct method would not overlap
   /// itself. Polishing and prescribed angles do not go with such weights (`Diagnosis::WRONG_OPTION`).
   double area_weight = 0.005;
 
@@ -124,11 +124,11 @@ struct ABF_plus_plus_options : Flattening_options
     LEAST_SQUARES_LAYOUT ///< Equations 19 to 21 of \cgalCite{cgal:slmb-abf-05}.
   };
 
-  /// Largest accepted violation of a constraint at a vertex, in radians; finite and at least 1e-14. For the reconstruction
-  /// constraint, the violation is the logarithm of a ratio of lengths; for a hole, also ten times the gap relative to
-  /// its circumference; for seams of equal lengths, also twice the largest difference of the logarithms of both
-  /// lengths. The layout closes the remaining gap. With the default value, measures of distortion have at least four
-  /// correct digits.
+  /// Largest accepted violation of a constraint at a vertex, in radians; finite and at least 1e-14. For the
+  /// reconstruction constraint, the violation is the logarithm of a ratio of lengths; for a hole, also ten times the gap
+  /// relative to its circumference; for seams of equal lengths, also twice the largest difference of the logarithms of
+  /// both lengths. The layout closes the remaining gap. With the default value, measures of distortion have at least
+  /// four correct digits.
   double tolerance = 1e-5;
 
   /// The solver stops after a step that promised to lower the energy by less than this fraction of it; positive.
@@ -155,7 +155,8 @@ struct ABF_plus_plus_options : Flattening_options
   /// the distortion was hardly higher, and the time up to 1.25 times as long.
   ///
   /// A seam with a side on the border of a hole keeps different lengths; if this is `true`, it is an error. With
-  /// `Flattening_options::injective`, lengths are equal only if the map of the direct method does not overlap itself;
+  /// `Flattening_options::injective`, lengths are equal only if the map of the direct method does not overlap itself
+  /// and `Flattening_options::area_weight` is at most 0.1;
   /// see `ABF_plus_plus_report::largest_seam_jump`.
   std::optional<bool> equal_seam_lengths;
 

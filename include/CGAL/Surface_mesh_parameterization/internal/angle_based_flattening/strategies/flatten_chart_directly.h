@@ -44,8 +44,8 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// The injective map of the hierarchical method, as a result of the direct method. Polishing lowers the energy of angles,
-// and so a map that is to preserve areas is not polished.
+// The injective map of the hierarchical method, as a result of the direct method. A map that is to preserve areas is not
+// polished, because that lowers the energy of angles.
 inline Flattening<ABF_plus_plus_report> injective_map(const Chart& chart,
                                                       const ABF_plus_plus_options& options,
                                                       const Linear_solvers& solvers, Rounding round)
@@ -167,12 +167,12 @@ flatten_chart(const Chart& chart, const ABF_plus_plus_options& options, const Li
               Rounding round, const Planar_angles* last)
 {
   if(options.injective && is_isometric(options)) {
+    if(!chart.has_prescribed_angles())
+      return injective_map(chart, options, solvers, round);
     Flattening<ABF_plus_plus_report> result;
-    if(chart.has_prescribed_angles())
-      fail(result.report, Diagnosis::WRONG_OPTION,
-           "injective maps with prescribed angles preserve angles alone: area_weight must be at most 0.1");
-    else
-      result = injective_map(chart, options, solvers, round);
+    result.report = report_of<ABF_plus_plus_report>(chart);
+    fail(result.report, Diagnosis::WRONG_OPTION,
+         "injective maps with prescribed angles preserve angles alone: area_weight must be at most 0.1");
     return result;
   }
   const Direct_task task = {chart, chart, options, solvers, round};
