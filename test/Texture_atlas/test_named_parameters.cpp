@@ -3,8 +3,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Options may be left out before named parameters, and visitors are named parameters: each call compiles, and gives what
-// it gives with options.
+// Options may be left out before named parameters, and visitors are named parameters: each call compiles, and gives the
+// same as with options.
 
 #include <boost/test/unit_test.hpp>
 
@@ -23,6 +23,7 @@
 #include <CGAL/Texture_atlas/select_cones.h>
 #include <CGAL/Texture_atlas/select_crease_seams.h>
 #include <CGAL/Texture_atlas/select_seams.h>
+#include <CGAL/Texture_atlas/symmetrize_seams.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -143,6 +144,10 @@ BOOST_AUTO_TEST_CASE(options_may_be_left_out)
   check_same(
       closed(), [](auto& m) { return TA::flatten_with_cones(m.mesh, 4, m.seams, m.uv, m.np()); },
       [](auto& m) { return TA::flatten_with_cones(m.mesh, 4, m.seams, m.uv, TA::Cone_options(), m.np()); });
+  const auto plane = TA::find_mirror_plane(closed().mesh);
+  check_same(
+      closed(), [&](auto& m) { return TA::symmetrize_seams(m.mesh, m.seams, plane, m.np()); },
+      [&](auto& m) { return TA::symmetrize_seams(m.mesh, m.seams, plane, true, m.np()); });
   check_same(
       open(), [](auto& m) { return SMP::flatten_surface(m.mesh, m.vertex_uv, m.np()); },
       [](auto& m) {

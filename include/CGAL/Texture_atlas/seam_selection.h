@@ -11,6 +11,7 @@
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
 #include <CGAL/Texture_atlas/Seam_report.h>
 #include <CGAL/Texture_atlas/internal/seams/read_vertex_pairs.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
@@ -77,6 +78,7 @@ template <typename TriangleMesh, typename EdgeIsSeamMap>
 Mesh_report<TriangleMesh, Seam_selection_report>
 read_seam_selection(std::istream& in, const TriangleMesh& mesh, EdgeIsSeamMap seams)
 {
+  internal::Check_edge_map<TriangleMesh, EdgeIsSeamMap>();
   Mesh_report<TriangleMesh, Seam_selection_report> report;
   std::size_t number_of_vertices = 0;
   const auto number_of = internal::vertex_numbers(mesh, number_of_vertices);
@@ -150,6 +152,7 @@ read_seam_selection(const std::string& file_name, const TriangleMesh& mesh, Edge
 template <typename TriangleMesh, typename EdgeIsSeamMap>
 Seam_selection_report write_seam_selection(std::ostream& out, const TriangleMesh& mesh, EdgeIsSeamMap seams)
 {
+  internal::Check_edge_map<TriangleMesh, EdgeIsSeamMap>();
   Seam_selection_report report;
   std::size_t number_of_vertices = 0;
   const auto number_of = internal::vertex_numbers(mesh, number_of_vertices);

@@ -11,6 +11,7 @@
 #include <CGAL/disable_warnings.h>
 
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
 #include <CGAL/Texture_atlas/Symmetry_report.h>
 #include <CGAL/Texture_atlas/internal/seams/symmetry.h>
 #include <CGAL/Texture_atlas/internal/seams/triangle_arrays.h>
@@ -190,6 +191,7 @@ Mesh_report<TriangleMesh, Symmetry_report>
 symmetrize_seams(const TriangleMesh& mesh, EdgeIsSeamMap seams, const Mirror_plane_report& plane,
                  bool keeps_upper_side = true, const NamedParameters& np = parameters::default_values())
 {
+  internal::Check_edge_map<TriangleMesh, EdgeIsSeamMap>();
   Mesh_report<TriangleMesh, Symmetry_report> report;
   internal::Mirrored_mesh<TriangleMesh> read_mesh;
   if(!internal::is_plane(plane, report) || !read_mesh.read(mesh, np, report))
@@ -207,6 +209,17 @@ symmetrize_seams(const TriangleMesh& mesh, EdgeIsSeamMap seams, const Mirror_pla
   for(std::size_t e = 0; e < is_seam.size(); ++e)
     put(seams, read_mesh.edge_descriptors[e], bool(is_seam[e]));
   return report;
+}
+
+/// \ingroup PkgTextureAtlasRef
+///
+/// makes seams symmetric as above, and keeps those of the upper side.
+template <typename TriangleMesh, typename EdgeIsSeamMap, typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT>
+Mesh_report<TriangleMesh, Symmetry_report> symmetrize_seams(const TriangleMesh& mesh, EdgeIsSeamMap seams,
+                                                            const Mirror_plane_report& plane,
+                                                            const CGAL_NP_CLASS& np)
+{
+  return symmetrize_seams(mesh, seams, plane, true, np);
 }
 
 /*!
@@ -227,6 +240,7 @@ Mesh_report<TriangleMesh, Symmetry_report>
 measure_symmetry(const TriangleMesh& mesh, EdgeIsSeamMap seams, const Mirror_plane_report& plane,
                  const NamedParameters& np = parameters::default_values())
 {
+  internal::Check_edge_map<TriangleMesh, EdgeIsSeamMap>();
   Mesh_report<TriangleMesh, Symmetry_report> report;
   internal::Mirrored_mesh<TriangleMesh> read_mesh;
   if(internal::is_plane(plane, report) && read_mesh.read(mesh, np, report))
@@ -254,6 +268,7 @@ Mesh_report<TriangleMesh> favor_mirror_plane(const TriangleMesh& mesh, const Mir
                                              EdgeWeightMap weights,
                                              const NamedParameters& np = parameters::default_values())
 {
+  internal::Check_edge_map<TriangleMesh, EdgeWeightMap>();
   Mesh_report<TriangleMesh> report;
   internal::Mirrored_mesh<TriangleMesh> read_mesh;
   if(!internal::is_plane(plane, report) || !read_mesh.read(mesh, np, report))
