@@ -180,7 +180,11 @@ bool packs_two_meshes_into_one_square()
 {
   std::vector<Mesh> meshes = {sheet(), sphere()};
   std::vector<UV_map> uv = {add_corner_uv(meshes[0]), add_corner_uv(meshes[1])};
-  const auto report = TA::make_common_atlas(meshes, uv);
+  if(!TA::make_atlas(meshes[0], uv[0]) || !TA::make_atlas(meshes[1], uv[1]))
+    return false;
+  TA::Atlas_options options;
+  options.given_charts = TA::Atlas_options::KEEP;
+  const auto report = TA::make_common_atlas(meshes, uv, options);
   return report && report.charts.front().mesh == 0 && report.charts.back().mesh == 1;
 }
 
