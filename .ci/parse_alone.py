@@ -140,8 +140,8 @@ def precompile(shared, options, folder):
 
 def main():
     build, wanted = Path(sys.argv[1]), sys.argv[2:]
-    listed = subprocess.run(["git", "ls-files", "*.h", "*.cpp", ":!doc/*/Concepts/*"],  # these are read by Doxygen alone
-                            cwd=ROOT, check=True, capture_output=True, text=True)
+    files_but_concepts = ["git", "ls-files", "*.h", "*.cpp", ":!doc/*/Concepts/*"]  # concepts are for Doxygen alone
+    listed = subprocess.run(files_but_concepts, cwd=ROOT, check=True, capture_output=True, text=True)
     files = [ROOT / name for name in listed.stdout.split() if ROOT / name not in MUST_NOT_COMPILE]
     sources = {file: words for file, words in options_of_sources(build).items() if file in files}
     includes = Includes(files, [ROOT / "include", ROOT / "apps", ROOT / "python/src"])

@@ -624,7 +624,7 @@ BOOST_AUTO_TEST_CASE(sweep_against_all_pairs)
   BOOST_TEST(simple < 19000);
 }
 
-// Borders on which simpler algorithms are quadratic, and would take longer than a test may.
+// Borders with many edges near to one another, or on one line
 BOOST_AUTO_TEST_CASE(long_borders)
 {
   const auto check = [](const auto& border) {

@@ -54,7 +54,7 @@ namespace Surface_mesh_parameterization {
 /// | `Flattening_options::barrier` | 0.1 | keeps angles away from zero | 0 |
 /// | `ABF_plus_plus_options::step` | `NEWTON` | converges quadratically | `SEQUENTIAL_LINEARLY_CONSTRAINED` |
 /// | `ABF_plus_plus_options::linear_solver` | `ITERATIVE` | needs fewer factorizations | `DIRECT` |
-/// | `ABF_plus_plus_options::layout` | `AUTOMATIC_LAYOUT` | spreads no errors | `LEAST_SQUARES_LAYOUT` |
+/// | `ABF_plus_plus_options::layout` | `AUTOMATIC_LAYOUT` | exact where angles fit together | `LEAST_SQUARES_LAYOUT` |
 ///
 /// Constraints in logarithms, the line search, the stopping rule and the pinned vertices of the layout are ours in any
 /// case.

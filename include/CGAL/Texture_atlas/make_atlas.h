@@ -196,8 +196,8 @@ part is wrong, nothing is written to any mesh.
 \param uv receives the coordinates: each halfedge of a face stores those of its target in this face
 \param charts receives the chart number of each face, from 0 on, and -1 for a face without chart
 \param options the options
-\param np optional: `sparse_linear_solver` and `visitor`, as of `make_atlas()`. The other named parameters of `make_atlas()` belong to
-       one mesh, and do not compile.
+\param np optional: `sparse_linear_solver` and `visitor`, as of `make_atlas()`. Its other named parameters belong to one
+       mesh, and do not compile.
 
 \return the charts, their distortion, and what is wrong, if anything
 
