@@ -200,16 +200,20 @@ struct Rectangle_report : Polygon_report<TriangleMesh>
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// chooses four corners on a border so that the sides of the rectangle have a given ratio, and returns its angles.
+/// chooses four corners on the border of `bhd` so that the sides of the rectangle have a given ratio, and returns its
+/// angles.
 ///
-/// The first corner is the vertex that `bhd` points to. The third one is half the length of the border away. As the
-/// second corner moves away from the first, and the fourth from the third, the rectangle becomes wider. Harmonic
-/// functions predict the ratio of each rectangle, and a bisection finds the vertices where it is nearest to
-/// `aspect_ratio`. The map meets the ratio only approximately; Section \ref ABF_angles_ratio says how well, and how to
-/// remove the rest.
+/// The ratio of each rectangle is predicted from a conformal map of the border to the boundary of a half-plane, and is
+/// usually within 2 % of the ratio of the map. Among the rectangles that are predicted to have the ratio, the function
+/// takes one where the border is fine at the corners, so that angles change little. The map meets the ratio only
+/// approximately; `fit_rectangle()` removes the rest. Section \ref ABF_angles_ratio says how well.
 ///
-/// For \f$b\f$ border vertices, the function solves \f$2\log_2 b\f$ to \f$2\log_2 b + 24\f$ linear systems with
-/// nearly as many unknowns as there are vertices. This took up to seven times as long as the map.
+/// The border vertex that `bhd` points to is not a corner in general. The first corner is one of the two that are
+/// possible: the one that comes first counterclockwise from there. The map of `parameterize()` may turn the first side
+/// to any direction.
+///
+/// The function solves three linear systems with nearly as many unknowns as there are vertices, and looks at
+/// \cgalBigO{\log b} rectangles for each of up to 64 first corners, with \f$b\f$ border vertices.
 ///
 /// \tparam TriangleMesh a model of `FaceGraph` whose vertex descriptors are ordered by `<`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -235,8 +239,8 @@ struct Rectangle_report : Polygon_report<TriangleMesh>
 ///
 /// \return the corners and angles, or what is wrong with the surface, as
 ///   `ABF_plus_plus_parameterizer_3::report()` says it; or with the ratio (`Diagnosis::WRONG_OPTION`): it is not
-///   positive and finite, or no rectangle with this first corner has it, which is the offending vertex. A border with
-///   three vertices is too short (`Diagnosis::SHORT_BORDER`, with its vertices).
+///   positive and finite, or no rectangle on this border has it. A border with three vertices is too short
+///   (`Diagnosis::SHORT_BORDER`, with its vertices).
 template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
 Rectangle_report<TriangleMesh>
 rectangle_angles(const TriangleMesh& mesh,

@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Hierarchical_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/certify_flattening.h>
+#include <CGAL/Surface_mesh_parameterization/fit_rectangle.h>
 #include <CGAL/Surface_mesh_parameterization/flatten_surface.h>
 #include <CGAL/Surface_mesh_parameterization/measure_flattening.h>
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
@@ -125,10 +126,10 @@ bool makes_a_rectangle()
   parameterizer.set_angle_sums(rectangle.angles);
   if(!rectangle || SMP::parameterize(mesh, parameterizer, border, uv) != SMP::OK)
     return false;
-  const auto side = [&](int i) {
-    return std::sqrt(CGAL::squared_distance(uv[rectangle.corners[i]], uv[rectangle.corners[(i + 1) % 4]]));
-  };
-  return std::abs(side(0) / side(1) - 2) < 0.2;
+  if(!SMP::fit_rectangle(mesh, uv, rectangle.corners, 2))
+    return false;
+  const auto far_corner = uv[rectangle.corners[2]]; // the first corner is at the origin
+  return std::abs(far_corner.x() / far_corner.y() - 2) < 1e-12;
 }
 
 bool morphs()

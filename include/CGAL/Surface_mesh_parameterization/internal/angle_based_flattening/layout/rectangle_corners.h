@@ -27,7 +27,7 @@ struct Rectangle_corners
   double aspect_ratio = 0; // predicted: of the side from the first corner to the second one to the next side
 };
 
-// The first corner is the first vertex of the outer border of a disk.
+// Of the two possible first corners, the one that comes first on the outer border.
 CGAL_ANGLE_BASED_FLATTENING_INLINE Rectangle_corners choose_rectangle_corners(const Chart& chart,
                                                                               double aspect_ratio,
                                                                               const Linear_solvers& solvers);
