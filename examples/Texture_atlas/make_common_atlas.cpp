@@ -35,7 +35,7 @@ int main(int argc, char* argv[])
         surfaces[i].add_property_map<Surface::Halfedge_index, Kernel::Point_2>("h:uv", {0, 0}).first);
   }
 
-  const TA::Atlas_report report = TA::make_common_atlas(surfaces, uv, TA::Atlas_options::TEXTURE);
+  const auto report = TA::make_common_atlas(surfaces, uv, TA::Atlas_options::TEXTURE);
   for(const auto& part : report.skipped)
     std::cerr << names[part.mesh] << ": " << part.message << "\n";
   if(!report.has_atlas()) {

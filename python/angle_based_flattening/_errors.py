@@ -8,7 +8,8 @@ class MeshError(ValueError):
 
     Attributes:
         status: the name of the diagnosis, such as ``"NO_BORDER"``; the C++ reference explains each.
-        message: a sentence that says what is wrong, and where. It counts faces and vertices from 1, as OBJ files do.
+        message: a sentence that says what is wrong, and where. It counts faces and vertices from 1, as OBJ files do,
+            and names vertices with their points: ``vertex 17 (0.1, nan, 3)``.
         faces: the faces that the diagnosis is about, from 0; an empty array if it is about none.
         vertices: the vertices that it is about, from 0; an empty array if it is about none.
         mesh: the number of the mesh that these belong to, from 0.

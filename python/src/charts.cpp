@@ -119,13 +119,13 @@ void prescribe(const Prescriptions& wanted, const Surface& surface, Direct& dire
   };
   if(wanted.aspect_ratio > 0) {
     take(SMP::rectangle_angles(mesh, CGAL::Polygon_mesh_processing::longest_border(mesh).first,
-                               wanted.aspect_ratio));
+                               wanted.aspect_ratio, CGAL::parameters::vertex_index_map(vertex_numbers())));
   } else if(!wanted.corners.empty()) {
     std::array<Vertex, 4> corners;
     for(std::size_t i = 0; i < 4; ++i) {
       corners[i] = checked(wanted.corners[i], mesh, "a corner");
     }
-    take(SMP::rectangle_angles(mesh, corners));
+    take(SMP::rectangle_angles(mesh, corners, CGAL::parameters::vertex_index_map(vertex_numbers())));
   }
   if(!wanted.angles.empty()) {
     SMP::Vertex_angles<Mesh> angles;
@@ -217,6 +217,7 @@ private:
       throw Mesh_failure("NO_BORDER",
                          "the surface is closed: it has no border; cut it open first, or call atlas()");
     }
+    parameterizer.set_vertex_numbers(vertex_numbers());
     SMP::parameterize(mesh, parameterizer, border, uv);
     check_report(*m_surface, parameterizer.report());
     Flattening result{{}, json_of(parameterizer.report())};

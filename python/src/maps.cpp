@@ -44,7 +44,8 @@ std::string measure(const Given_mesh& given, const Watch& watch)
   return run_interruptibly(watch, [&](Progress_state&) {
     return with_failures([&] {
       Surface surface = surface_of(std::move(soup));
-      const auto report = SMP::measure_flattening(surface.mesh, corner_map(surface));
+      const auto report = SMP::measure_flattening(surface.mesh, corner_map(surface),
+                                                  CGAL::parameters::vertex_index_map(vertex_numbers()));
       check_report(surface, report);
       return measures_json(report);
     });
@@ -116,7 +117,8 @@ Packing pack(const Given_mesh& given, const std::vector<std::size_t>& first_face
         chart[f] = static_cast<int>(after - first_faces.begin()) - 1;
       }
       const auto uv = corner_map(surface);
-      const auto report = TA::pack_charts(mesh, chart, uv, options);
+      const auto report =
+          TA::pack_charts(mesh, chart, uv, options, CGAL::parameters::vertex_index_map(vertex_numbers()));
       check_report(surface, report);
       const double none = std::numeric_limits<double>::quiet_NaN();
       Packing packing{std::vector<Kernel::Point_2>(mesh.number_of_vertices(), Kernel::Point_2(none, none)),

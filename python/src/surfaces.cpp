@@ -72,8 +72,11 @@ Seams seams(const Given_mesh& given, const std::string& way, const TA::Seam_opti
       const SMP::Mesh_report<Mesh, TA::Seam_report> report =
           weights
               ? TA::select_seams(surface.mesh, is_seam, options,
-                                 np::edge_weight_map(*weights).edge_is_constrained_map(is_diagonal))
-              : TA::select_seams(surface.mesh, is_seam, options, np::edge_is_constrained_map(is_diagonal));
+                                 np::edge_weight_map(*weights)
+                                     .edge_is_constrained_map(is_diagonal)
+                                     .vertex_index_map(vertex_numbers()))
+              : TA::select_seams(surface.mesh, is_seam, options,
+                                 np::edge_is_constrained_map(is_diagonal).vertex_index_map(vertex_numbers()));
       check_report(surface, report);
       return Seams{marked_pairs(surface.mesh, is_seam), json_of(report)};
     });
@@ -113,14 +116,15 @@ Cone_map cones(const Given_mesh& given, const std::size_t number, const double a
       Flattening_watcher watcher;
       watcher.follow(state);
       options.parameterizer.visitor = &watcher;
+      const auto numbers = CGAL::parameters::vertex_index_map(vertex_numbers());
       if(!is_flattened) {
-        const auto selection = TA::select_cones(mesh, number, options);
+        const auto selection = TA::select_cones(mesh, number, options, numbers);
         check_report(surface, selection);
         return Cone_map{cones_of(selection), selection.predicted_stretch, {}, {}};
       }
       const auto uv = mesh.add_property_map<Halfedge, Kernel::Point_2>("h:uv").first;
       const auto is_seam = prepare::seam_marks(mesh);
-      const auto flattening = TA::flatten_with_cones(mesh, number, is_seam, uv, options);
+      const auto flattening = TA::flatten_with_cones(mesh, number, is_seam, uv, options, numbers);
       check_report(surface, flattening);
       return Cone_map{cones_of(flattening.cones), flattening.cones.predicted_stretch, corners_of(surface, uv),
                       marked_pairs(mesh, is_seam)};
@@ -166,11 +170,13 @@ TA::Baked_textures bake(const Given_mesh& given, const Given_mesh& given_fine,
         const Kernel::Point_2& p = uv[surface.mesh.halfedge(f)];
         chart[f] = std::isfinite(p.x()) && std::isfinite(p.y()) ? 0 : -1;
       }
-      const auto charts = np::face_patch_map(chart);
+      const auto charts = np::face_patch_map(chart).vertex_index_map(vertex_numbers());
+      const auto fine_numbers = np::vertex_index_map(vertex_numbers());
       const Fine_surface baked =
-          given_colors.empty() ? TA::bake_surface(surface.mesh, uv, fine.mesh, options, charts)
-                               : TA::bake_surface(surface.mesh, uv, fine.mesh, options, charts,
-                                                  np::vertex_color_map(colors_of(given_colors, fine.mesh)));
+          given_colors.empty()
+              ? TA::bake_surface(surface.mesh, uv, fine.mesh, options, charts, fine_numbers)
+              : TA::bake_surface(surface.mesh, uv, fine.mesh, options, charts,
+                                 fine_numbers.vertex_color_map(colors_of(given_colors, fine.mesh)));
       check_report(surface, baked);
       return static_cast<const TA::Baked_textures&>(baked);
     });

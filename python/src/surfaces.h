@@ -14,8 +14,9 @@
 #include <CGAL/Texture_atlas/internal/prepare/given_seams.h>
 #include <CGAL/Texture_atlas/internal/prepare/prepare_surface.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <new>
 #include <string>
@@ -68,20 +69,6 @@ auto with_failures(const Function& f)
   }
 }
 
-// The vertices of faces with a coordinate that is no finite number
-inline std::vector<std::int64_t> non_finite_vertices(const Surface_soup& soup)
-{
-  std::vector<std::int64_t> vertices;
-  for(const Index v : soup.vertices) {
-    if(!prepare::is_finite(soup.points[v])) {
-      vertices.push_back(v);
-    }
-  }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return vertices;
-}
-
 inline Surface surface_of(Surface_soup&& soup)
 {
   return with_failures([&soup] {
@@ -92,11 +79,17 @@ inline Surface surface_of(Surface_soup&& soup)
     if(!surface.set_aside.empty()) {
       const TA::Atlas_report::Skipped& part = surface.set_aside.front();
       throw Mesh_failure(to_string(part.status), part.message, {static_cast<std::int64_t>(part.first_face)},
-                         non_finite_vertices(soup));
+                         {part.vertices.begin(), part.vertices.end()});
     }
     surface.soup = std::move(soup);
     return surface;
   });
+}
+
+// The numbers of vertices in messages
+inline auto vertex_numbers()
+{
+  return boost::make_function_property_map<Vertex>([](const Vertex v) { return std::int64_t(v.idx()) + 1; });
 }
 
 // The face of the soup that a triangle is part of

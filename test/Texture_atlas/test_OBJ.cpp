@@ -754,7 +754,8 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_written)
   BOOST_TEST(
       bool(TA::IO::write_OBJ(out, square.mesh, square.uv, CGAL::parameters::face_patch_map(square.patch))));
   square.mesh.point(Mesh::Vertex_index(2)) = Point_3(0, std::numeric_limits<double>::infinity(), 0);
-  check(SMP::Diagnosis::NON_FINITE_POINT, "vertex 2 has a point that is not finite");
+  check(SMP::Diagnosis::NON_FINITE_POINT,
+        "vertex 2 (0, inf, 0) has coordinates that are not all finite numbers");
   square.mesh.point(Mesh::Vertex_index(2)) = Point_3(1, 1, 0);
   const auto normals = get(CGAL::dynamic_vertex_property_t<Kernel::Vector_3>(), square.mesh);
   for(const auto v : vertices(square.mesh))

@@ -556,12 +556,11 @@ BOOST_AUTO_TEST_CASE(errors_name_what_is_wrong)
   const Vertex last(8);
 
   uv[corner] = Kernel::Point_2(nan, 0);
-  check(TA::bake_surface(simple, uv, fine), Diagnosis::NO_TEXTURE_COORDINATES,
-        "the face with the vertices at (");
+  check(TA::bake_surface(simple, uv, fine), Diagnosis::NO_TEXTURE_COORDINATES, "the face of vertex ");
   uv[corner] = Kernel::Point_2(0.5, 1.25);
-  check(TA::bake_surface(simple, uv, fine), Diagnosis::OUTSIDE_SQUARE, "the face with the vertices at (");
+  check(TA::bake_surface(simple, uv, fine), Diagnosis::OUTSIDE_SQUARE, "the face of vertex ");
   uv[corner] = Kernel::Point_2(-1e-12, 0.5);
-  check(TA::bake_surface(simple, uv, fine), Diagnosis::OUTSIDE_SQUARE, "the face with the vertices at (");
+  check(TA::bake_surface(simple, uv, fine), Diagnosis::OUTSIDE_SQUARE, "the face of vertex ");
   check(TA::bake_surface(simple, project(simple, [](double, double) { return Plane_point(0.5, 0.5); }), fine),
         Diagnosis::NO_TEXTURE_COORDINATES, "no area");
   project(simple, as_it_is);
@@ -569,10 +568,12 @@ BOOST_AUTO_TEST_CASE(errors_name_what_is_wrong)
   for(const double x : {nan, infinity, 1e38}) {
     Surface wrong = simple;
     wrong.point(last) = Kernel::Point_3(1, x, 0);
-    check(TA::bake_surface(wrong, uv_map(wrong), fine), Diagnosis::NON_FINITE_POINT, "the vertex at (1, ");
+    check(TA::bake_surface(wrong, uv_map(wrong), fine), Diagnosis::NON_FINITE_POINT,
+          "vertex " + std::to_string(last.idx()) + " (1, ");
     Surface wrong_fine = fine;
     wrong_fine.point(last) = Kernel::Point_3(1, x, 0);
-    check(TA::bake_surface(simple, uv, wrong_fine), Diagnosis::WRONG_FINE_POINT, "the vertex at (1, ");
+    check(TA::bake_surface(simple, uv, wrong_fine), Diagnosis::WRONG_FINE_POINT,
+          "vertex " + std::to_string(last.idx()) + " (1, ");
   }
   check(TA::bake_surface(simple, uv, Surface()), Diagnosis::EMPTY_FINE_MESH, "fine");
   Surface line;

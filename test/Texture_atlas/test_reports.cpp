@@ -125,6 +125,7 @@ BOOST_AUTO_TEST_CASE(of_points_that_are_not_finite)
   check(TA::bake_surface(s.mesh, s.uv, Surface().mesh), Diagnosis::NON_FINITE_POINT, bad, {}, {});
   const auto packing = TA::pack_charts(s.mesh, s.charts, s.uv);
   BOOST_TEST(packing.status == Diagnosis::NON_FINITE_POINT);
+  BOOST_TEST((packing.offending_vertices == bad));
   BOOST_TEST_REQUIRE(packing.offending_faces.size() == 1u);
   std::set<Vertex> corners;
   for(Vertex w : s.mesh.vertices_around_face(s.mesh.halfedge(packing.offending_faces[0])))
@@ -237,6 +238,7 @@ BOOST_AUTO_TEST_CASE(of_atlases)
   BOOST_TEST(report.status == Diagnosis::SOMETHING_SKIPPED);
   BOOST_TEST_REQUIRE(report.offending_faces.size() == 1u);
   BOOST_TEST(report.offending_faces[0].idx() >= size);
+  BOOST_TEST((report.offending_vertices == Vertices{Vertex(Mesh::size_type(other.number_of_vertices()))}));
   BOOST_TEST(report.has_atlas());
 }
 

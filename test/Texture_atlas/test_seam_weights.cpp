@@ -251,7 +251,7 @@ BOOST_AUTO_TEST_CASE(weights_of_bad_meshes)
   };
   Mesh mesh = seam_surfaces::octahedron().mesh();
   mesh.point(Vertex(3)) = Point_3(0, std::numeric_limits<double>::quiet_NaN(), 0);
-  BOOST_TEST(message(mesh) == "vertex 3 has a coordinate that is not finite");
+  BOOST_TEST(message(mesh) == "vertex 3 (0, nan, 0) has coordinates that are not all finite numbers");
   mesh.point(Vertex(3)) = Point_3(0, -1, 0);
   BOOST_TEST(message(mesh).empty());
   CGAL::Euler::join_face(mesh.halfedge(Edge(0)), mesh);

@@ -261,7 +261,7 @@ BOOST_AUTO_TEST_CASE(bad_polygons_condemn_no_others)
     BOOST_TEST(std::isnan(atlas.uv[soup.first_corners[sound + i]].x()));
   }
   BOOST_TEST((report.offending_polygons == std::vector<std::size_t>{sound, sound + 1, sound + 2, sound + 3}));
-  BOOST_TEST((report.offending_points == std::vector<std::size_t>{n - 2u}));
+  BOOST_TEST((report.offending_points == std::vector<std::size_t>{n - 2u, n - 1u}));
   for(Index p = 0; p < sound; ++p)
     check_polygon(atlas, soup, p);
 }
@@ -300,7 +300,10 @@ BOOST_AUTO_TEST_CASE(arrays_that_do_not_fit_together_are_refused)
   soup = cube();
   for(Point_3& p : soup.points)
     p = Point_3(std::numeric_limits<double>::infinity(), 0, 0);
-  check_refused(soup, Diagnosis::NOTHING_FLATTENED, "vertex 1 and 7 others");
+  check_refused(soup, Diagnosis::NON_FINITE_POINT, "vertex 1 (inf, 0, 0) and 7 others");
+  soup = cube();
+  soup.is_ignored.assign(6, true);
+  check_refused(soup, Diagnosis::EMPTY_MESH, "no face is left");
 }
 
 BOOST_AUTO_TEST_CASE(wrong_options_are_refused)

@@ -588,7 +588,7 @@ BOOST_AUTO_TEST_CASE(some_edges_must_not_become_seams)
   const std::vector<int> before = flat.pieces();
   const auto report = flat.split(np);
   BOOST_TEST(report.status == SMP::Diagnosis::NO_CUT_ALLOWED);
-  BOOST_TEST(report.message.find("the face with the vertices at (") == 0u);
+  BOOST_TEST(report.message.find("the face of vertex ") == 0u);
   const std::vector<bool> marks = flat.seam_marks();
   BOOST_TEST(std::count(marks.begin(), marks.end(), true) == 0);
   BOOST_TEST(flat.pieces() == before);
@@ -652,14 +652,14 @@ BOOST_AUTO_TEST_CASE(wrong_input_is_named)
   const Halfedge h = flat.mesh.halfedge(Vertex(41));
   const Point_2 uv = flat.uv[h];
   flat.uv[h] = Point_2(std::nan(""), 0);
-  BOOST_TEST(diagnosis_of(flat, "the vertex at (") == "NON_FINITE_COORDINATE");
+  BOOST_TEST(diagnosis_of(flat, "vertex 41 (") == "NON_FINITE_COORDINATE");
   flat.uv[h] = Point_2(uv.x(), std::nextafter(uv.y(), 9.));
-  BOOST_TEST(diagnosis_of(flat, "the vertex at (") == "INCONSISTENT_COORDINATES");
+  BOOST_TEST(diagnosis_of(flat, "vertex 41 (") == "INCONSISTENT_COORDINATES");
   flat.uv[h] = uv;
 
   for(Halfedge other : flat.mesh.halfedges_around_target(h))
     flat.uv[other] = Point_2(-uv.x(), -uv.y());
-  BOOST_TEST(diagnosis_of(flat, "the face with the vertices at (") == "FLIPPED_TRIANGLES");
+  BOOST_TEST(diagnosis_of(flat, "the face of vertex ") == "FLIPPED_TRIANGLES");
 }
 
 BOOST_AUTO_TEST_CASE(coordinates_may_belong_to_vertices_and_have_exact_numbers)

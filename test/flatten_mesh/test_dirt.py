@@ -162,12 +162,12 @@ for form, write in WRITERS.items():
     add(f"{form} with an extension in capitals", text, faces=2, file=f"capitals.{form.upper()}")
     for word in ["nan", "NaN", "-nan(ind)", "inf", "-Infinity", "1.#QNAN", "-1.#IND", "1.#INF", "1e999"]:
         add(f"{form} with the coordinate {word}", write(replaced(TWO_POINTS, 6, (6, word, 0)), TWO_FACES), 2,
-            "vertex .* not a finite number", NONE, faces=4)
+            "vertex .* not all finite numbers", NONE, faces=4)
     add(f"{form} with NaN at a corner of one face", write(replaced(TWO_POINTS, 5, (6, "nan", 0)), TWO_FACES), 2,
-        "vertex .* not a finite number", [("NON_FINITE_POINT", 1)], faces=4)
+        "vertex .* not all finite numbers", [("NON_FINITE_POINT", 1)], faces=4)
     add(f"{form} with NaN at two corners", write([(1, "nan", 0), ("inf", 1, 0)] + TWO_POINTS,
                                                  [(0, 3, 4), (1, 2, 4)] + [tuple(v + 2 for v in f) for f in TWO_FACES]),
-        2, "vertex .* and 1 other have coordinates that are not finite", [("NON_FINITE_POINT", 2)], faces=6)
+        2, "vertex .* and 1 other have coordinates that are not all finite", [("NON_FINITE_POINT", 2)], faces=6)
     add(f"{form} with a corner far away", write(replaced(TWO_POINTS, 5, (6, 1e20, 0)), TWO_FACES), 2,
         "vertex .* is more than a billion times as far", [("FAR_POINT", 1)], faces=4)
     for word in ["1,5", "zero", "0x1p3", "1.0f", "--1", "1.2.3"]:
@@ -305,7 +305,7 @@ for order in "<>":
         add(f"ply binary, {end}, lists of {count} and {index}", binary_ply(order=order, count=count, index=index),
             faces=2)
     add(f"ply binary, {end}, with NaN", binary_ply(replaced(TWO_POINTS, 6, (6, "nan", 0)), TWO_FACES, order), 2,
-        "vertex 7 .*not a finite", NONE, faces=4)
+        "vertex 7 .*not all finite", NONE, faces=4)
     add(f"ply binary, {end}, with a list of 4000000000", binary_ply(order=order, count="uint")[:-16]
         + struct.pack(order + "I", 4000000000) + b"\0" * 12, 2, "promises 2 of 'face', but the file ends in face 2")
     add(f"ply binary, {end}, with a negative list", binary_ply(order=order, count="int")[:-16]

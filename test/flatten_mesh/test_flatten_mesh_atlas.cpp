@@ -759,7 +759,7 @@ BOOST_AUTO_TEST_CASE(nothing_but_rubbish)
   flatten(write("line.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n"));
   BOOST_TEST(status == 2);
   check_told("no chart for 1 face");
-  BOOST_TEST(json().get<std::string>("status") == "NOTHING_FLATTENED");
+  BOOST_TEST(json().get<std::string>("status") == "NO_AREA");
   BOOST_TEST(json().get<std::string>("atlas") == "null");
   BOOST_TEST(!fs::exists(file("flat.obj")));
   flatten(write("twice.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 1 0\n3 0 1 1\n"));
@@ -809,7 +809,7 @@ BOOST_AUTO_TEST_CASE(more_than_two_faces_at_an_edge)
     BOOST_TEST(face.size() > 2u);
   flatten(input, "--repair off");
   BOOST_TEST(status == 2);
-  check_told("NON_MANIFOLD_EDGE: the edge between vertices 1 and 2 has 3 faces");
+  check_told("NON_MANIFOLD_EDGE: the edge between vertex 1 (");
   const auto texture = texture_of_faces(obj());
   for(std::size_t f = 0; f < texture.size(); ++f)
     BOOST_TEST(texture[f].empty() == (f < 3));

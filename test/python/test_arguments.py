@@ -226,6 +226,29 @@ def test_surfaces_that_are_no_disks():
         abf.atlas(VERTICES, [[5, 5, 6]])
 
 
+def test_vertices_are_named_by_number_and_point():
+    """Messages count from 1 and arrays from 0, whichever part of the package finds the fault."""
+    wrong = VERTICES.copy()
+    wrong[16] = (0.5, np.nan, 3)
+    flattener = abf.Flattener(FACES)
+    flattener.solve(VERTICES)
+    for function in (lambda: abf.flatten(wrong, FACES), lambda: flattener.solve(wrong),
+                     lambda: abf.seams(wrong, FACES)):
+        with pytest.raises(abf.MeshError, match=r"vertex 17 \(0.5, nan, 3\) has coordinates") as error:
+            function()
+        assert error.value.status == "NON_FINITE_POINT" and error.value.vertices.tolist() == [16]
+    with pytest.raises(abf.MeshError, match=r"vertex 17 \([^()]*\) is a corner"):
+        abf.flatten(VERTICES, FACES, boundary="rectangle", corners=[0, 16, 48, 42])
+
+    atlas = abf.atlas(wrong, FACES)
+    [part] = atlas.report["skipped"]
+    assert part["vertices"] == [17] and part["message"].startswith("vertex 17 (0.5, nan, 3) has coordinates")
+    assert np.array_equal(atlas.face_chart < 0, (np.asarray(FACES) == 16).any(axis=1))
+    with pytest.raises(abf.MeshError) as error:
+        abf.atlas(np.full_like(VERTICES, np.nan), FACES)
+    assert error.value.status == "NON_FINITE_POINT" and error.value.vertices.tolist() == list(range(49))
+
+
 def test_random_faces():
     """Any indices give a result or an error that is documented."""
     random = np.random.default_rng(1)

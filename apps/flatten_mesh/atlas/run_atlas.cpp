@@ -31,10 +31,13 @@ namespace flatten_mesh {
 
 namespace {
 
-// What is wrong with the atlas as a whole, if anything
+// What is wrong with the atlas as a whole, if anything. Parts without charts are told elsewhere.
 void tell_message(const Command_line& command, const Atlas_record& record)
 {
-  if(record.report.skipped.empty() && !record.report) {
+  const std::vector<TA::Atlas_report::Skipped>& skipped = record.report.skipped;
+  const bool is_about_parts =
+      !skipped.empty() && (record.report.has_atlas() || record.report.status == skipped.front().status);
+  if(!record.report && !is_about_parts) {
     std::cerr << "flatten_mesh: " << command.title << ": " << status_name(record) << ": "
               << record.report.message << std::endl;
   }

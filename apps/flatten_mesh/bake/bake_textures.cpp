@@ -12,6 +12,8 @@
 #include <CGAL/Real_timer.h>
 #include <CGAL/Texture_atlas/bake_surface.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -139,11 +141,13 @@ Baked_surface bake_textures(const Command_line& command, Atlas_input& input, con
   options.height = command.atlas.height;
   options.gutter = command.atlas.number_of_gutter_texels();
   options.threads = command.options.threads;
-  const auto charts = np::face_patch_map(atlas.chart);
-  baked.textures = fine.has_colors
-                       ? TA::bake_surface(mesh, atlas.uv, fine.mesh, baked.frames, options, charts,
-                                          np::vertex_color_map(fine.colors))
-                       : TA::bake_surface(mesh, atlas.uv, fine.mesh, baked.frames, options, charts);
+  const auto charts = np::face_patch_map(atlas.chart).vertex_index_map(soup_numbers(mesh).points);
+  const auto fine_numbers = np::vertex_index_map(
+      boost::make_function_property_map<Vertex>([](const Vertex v) { return std::size_t(v.idx()) + 1; }));
+  baked.textures = fine.has_colors ? TA::bake_surface(mesh, atlas.uv, fine.mesh, baked.frames, options,
+                                                      charts, fine_numbers.vertex_color_map(fine.colors))
+                                   : TA::bake_surface(mesh, atlas.uv, fine.mesh, baked.frames, options,
+                                                      charts, fine_numbers);
   if(!baked.textures) {
     throw Input_error("cannot bake '" + command.atlas.bake_from + "': " + baked.textures.message);
   }

@@ -32,13 +32,13 @@ namespace {
 
 namespace ABF = CGAL::Texture_atlas::internal;
 
-// `what` was tried, and `place` says where it failed.
-void check_report(const SMP::Report& report, const std::string& what, const std::string& place = "")
+// `what` was tried.
+void check_report(const SMP::Report& report, const std::string& what)
 {
   if(report) {
     return;
   }
-  const std::string text = "cannot " + what + ": " + report.message + place;
+  const std::string text = "cannot " + what + ": " + report.message;
   if(report.status == SMP::Diagnosis::LINEAR_SYSTEM_FAILED) {
     throw Seams_failed(text);
   }
@@ -76,7 +76,8 @@ void read_seams(const std::string& file, Atlas_input& input, Seamed_component& c
     const auto& part = check.parts[check.defective_part];
     throw Input_error("'" + file + "': the seams do not leave disks: the part of " +
                       count_text(part.number_of_faces, "triangle") + " at " +
-                      vertex_name(component.part.origins[mesh.target(part.where).idx()]) +
+                      ABF::vertex_text(component.part.origins[mesh.target(part.where).idx()].idx() + 1,
+                                       mesh.point(mesh.target(part.where))) +
                       " cannot be flattened: " + defect_text(part) +
                       "; add seams, or let --cut auto choose them");
   }
@@ -94,9 +95,17 @@ double length_of_seams(const Seamed_component& component)
   return length / std::sqrt(PMP::area(mesh));
 }
 
+// The numbers of vertices in messages: those of the file
+auto vertex_numbers(const std::vector<Vertex>& origins)
+{
+  return boost::make_function_property_map<Vertex>(
+      [&origins](const Vertex v) { return std::size_t(origins[v.idx()].idx()) + 1; });
+}
+
 auto edges_without_seams(const Seamed_component& component)
 {
-  return CGAL::parameters::edge_is_constrained_map(component.forbidden);
+  return CGAL::parameters::edge_is_constrained_map(component.forbidden)
+      .vertex_index_map(vertex_numbers(component.part.origins));
 }
 
 } // namespace
@@ -115,18 +124,13 @@ Cone_record choose_cones(const Command_line& command, Seamed_component& componen
   record.multiple = command.cone_angle_multiple / 180 * CGAL_PI;
   TA::Cone_options options;
   options.angle_multiple = record.multiple;
-  component.cones = TA::select_cones(component.part.mesh, record.wanted, options);
-  const auto origin = [&component](const Vertex v) {
-    return std::size_t(component.part.origins[v.idx()].idx());
-  };
-  std::string place;
-  for(const Vertex v : component.cones->offending_vertices) {
-    place += (place.empty() ? " (" : ", ") + vertex_name(origin(v));
-  }
-  check_report(*component.cones, "choose cones", place + (place.empty() ? "" : ")"));
+  component.cones =
+      TA::select_cones(component.part.mesh, record.wanted, options,
+                       CGAL::parameters::vertex_index_map(vertex_numbers(component.part.origins)));
+  check_report(*component.cones, "choose cones");
   record.predicted_stretch = component.cones->predicted_stretch;
   for(const auto& [v, angle] : component.cones->cones) {
-    record.cones.emplace_back(origin(v), angle);
+    record.cones.emplace_back(std::size_t(component.part.origins[v.idx()].idx()), angle);
   }
   return record;
 }
@@ -217,9 +221,12 @@ Split_record split_chart(const Sheet& sheet, const Flattening& flattening, const
       [&](const Vertex v) { return flattening.uv[alone.origins[v.idx()]]; });
   const auto forbidden =
       boost::make_function_property_map<Edge>([&](const Edge e) { return is_diagonal[input_edge(e)]; });
+  const auto number = boost::make_function_property_map<Vertex>(
+      [&](const Vertex v) { return std::size_t(sheet.input_vertex(alone.origins[v.idx()]).idx()) + 1; });
   Split_record record;
   static_cast<TA::Overlap_split_report&>(record) =
-      TA::split_overlaps(alone.mesh, uv, seams, piece, CGAL::parameters::edge_is_constrained_map(forbidden));
+      TA::split_overlaps(alone.mesh, uv, seams, piece,
+                         CGAL::parameters::edge_is_constrained_map(forbidden).vertex_index_map(number));
   if(!record) {
     throw Seams_failed("cannot split overlaps: " + record.message);
   }

@@ -69,13 +69,19 @@ std::string vertices_text(const Sheet& sheet, const std::vector<Vertex>& vertice
   return text;
 }
 
-// Where the fault is, in the numbers that the user knows. Of faces these are the vertices: larger polygons were
-// divided.
+// Where the fault is, unless the message says so, in the numbers that the user knows. Of faces these are the vertices:
+// larger polygons were divided.
 template <class Report>
 std::string place_text(const Sheet& sheet, const Report& report)
 {
-  if(!report.offending_vertices.empty()) {
-    return " (" + vertices_text(sheet, report.offending_vertices) + ")";
+  const auto is_told = [&](const Vertex v) {
+    return report.message.find(vertex_name(sheet.input_vertex(v).idx()) + " (") != std::string::npos;
+  };
+  const std::vector<Vertex>& vertices = report.offending_vertices;
+  if(!vertices.empty()) {
+    return std::all_of(vertices.begin(), vertices.end(), is_told)
+               ? ""
+               : " (" + vertices_text(sheet, vertices) + ")";
   }
   if(report.offending_faces.empty()) {
     return "";
@@ -151,6 +157,8 @@ private:
     m_flattening.attempt_seconds = m_flattening.parameterize_seconds;
     CGAL::Real_timer timer;
     timer.start();
+    parameterizer.set_vertex_numbers(boost::make_function_property_map<Vertex>(
+        [this](const Vertex v) { return std::size_t(m_sheet.input_vertex(v).idx()) + 1; }));
     parameterizer.parameterize(mesh, m_sheet.border, m_flattening.uv, get(boost::vertex_index, mesh),
                                is_parameterized);
     m_flattening.parameterize_seconds += timer.time();

@@ -76,12 +76,10 @@ std::string stray_vertex_text(const Sheet& sheet)
   if(largest_ratio < 10) {
     return "";
   }
-  std::string place;
-  for(int i = 0; i < 3; ++i) {
-    place += (i == 0 ? "" : ", ") + format_number("%.6g", mesh.point(stray)[i]);
-  }
-  return "; or remove " + vertex_name(sheet.input_vertex(stray).idx()) + ", at (" + place + "), which is " +
-         format_number("%.3g", largest_ratio) + " times as far from its neighbors as these are around it";
+  return "; or remove " +
+         CGAL::Texture_atlas::internal::vertex_text(sheet.input_vertex(stray).idx() + 1, mesh.point(stray)) +
+         ", which is " + format_number("%.3g", largest_ratio) +
+         " times as far from its neighbors as these are around it";
 }
 
 class Plain_run

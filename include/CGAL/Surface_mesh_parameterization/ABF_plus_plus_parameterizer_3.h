@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_pins.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/run_parameterizer.h>
 
@@ -127,6 +128,19 @@ public:
   void set_points(VertexPointMap points)
   {
     m_prescriptions.points = internal::ABF::vertex_points<Triangle_mesh>(points);
+  }
+
+  /// sets the numbers that messages call vertices by, from the next call of `parameterize()` on. Without a call of this
+  /// function, they are positions in the sequence of vertices, from 0; of a `Seam_mesh`, positions in that of the mesh
+  /// that it cuts.
+  ///
+  /// \tparam VertexIndexMap must be a model of `ReadablePropertyMap` with
+  ///         `boost::graph_traits<Triangle_mesh>::%vertex_descriptor` as key type and an integer as value type. Several
+  ///         vertices may have the same number.
+  template <typename VertexIndexMap>
+  void set_vertex_numbers(VertexIndexMap numbers)
+  {
+    m_prescriptions.numbers = internal::ABF::vertex_numbers_of<Triangle_mesh>(numbers);
   }
 
   /// sets how much the angles of each face matter, from the next call of `parameterize()` on. Without a call of this
@@ -297,14 +311,15 @@ public:
   /// \return `OK` only if every triangle is positively oriented. Otherwise, with the reason in `report()`:
   /// - `ERROR_EMPTY_MESH`: there is no face at `bhd`;
   /// - `ERROR_NON_TRIANGULAR_MESH`: a face is not a triangle;
-  /// - `ERROR_NO_TOPOLOGICAL_DISC`: the component is not a manifold, has handles, or has more than one border and
-  /// `Flattening_options::holes` is `Flattening_options::REFUSE`;
+  /// - `ERROR_NO_TOPOLOGICAL_DISC`: the surface is closed, or the component is not a manifold, has handles, or has more
+  ///   than one border and `Flattening_options::holes` is `Flattening_options::REFUSE`;
   /// - `ERROR_NO_1_TO_1_MAPPING`: there is no valid map (two edges join the same vertices), no valid map was found, or
   ///   a visitor or `Flattening_options::time_limit` stopped the computation;
   /// - `ERROR_CANNOT_SOLVE_LINEAR_SYSTEM`: the solver traits failed;
-  /// - `ERROR_WRONG_PARAMETER`: `bhd` is not on a border, a coordinate is not finite, no triangle has an area, there
-  ///   are more than 153 million triangles, the importance of a face is out of its range, pins are not finite or not
-  ///   apart, prescribed angles are not possible, or an option is out of its range or does not apply.
+  /// - `ERROR_WRONG_PARAMETER`: `bhd` is not on a border, but others are, a coordinate is not finite, no triangle
+  ///   has an area, there are more than 153 million triangles, the importance of a face is out of its range, pins
+  ///   are not finite or not apart, prescribed angles are not possible, or an option is out of its range or does
+  ///   not apply.
   ///
   /// \exception std::bad_alloc if memory runs out. Exceptions of a visitor or a property map pass through.
   template <typename VertexUVmap, typename VertexIndexMap, typename VertexParameterizedMap>
@@ -378,8 +393,9 @@ private:
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// replaces \cgal's function of this name. If the halfedge is null or not on a border, this function violates no
-/// precondition, but returns `ERROR_WRONG_PARAMETER`, and the status in the report is `Diagnosis::NOT_ON_BORDER`.
-/// Otherwise, both functions are the same.
+/// precondition. If the surface is closed, it returns `ERROR_NO_TOPOLOGICAL_DISC`, and the status in the report is
+/// `Diagnosis::NO_BORDER`; if not, `ERROR_WRONG_PARAMETER` and `Diagnosis::NOT_ON_BORDER`. Otherwise, both functions
+/// are the same.
 ///
 /// \relates ABF_plus_plus_parameterizer_3
 template <typename TriangleMesh, typename SolverTraits, typename HD, typename VertexUVmap>

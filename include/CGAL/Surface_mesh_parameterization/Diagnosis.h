@@ -41,11 +41,11 @@ enum class Diagnosis
   NON_MANIFOLD_EDGE,   ///< Two faces run along an edge in the same direction, or more than two meet there.
   REPEATED_VERTEX,     ///< A face has the same vertex twice.
   SEVERAL_COMPONENTS,  ///< The surface is not connected.
-  NO_BORDER,           ///< The surface is closed: it must be cut open first.
-  NOT_ON_BORDER,       ///< The given halfedge is null or not on a border, or a corner is not on the border.
-  SHORT_BORDER,        ///< A border has fewer than three edges, or fewer than four for a rectangle.
-  SEVERAL_BORDERS,     ///< The surface has holes, but must be a disk.
-  NONZERO_GENUS,       ///< The surface has handles: it is not a disk.
+  NO_BORDER,           ///< The surface is closed: it must be cut open first, or `make_atlas()` takes it.
+  NOT_ON_BORDER, ///< The given halfedge is null or not on a border of an open surface, or a corner is not on it.
+  SHORT_BORDER,    ///< A border has fewer than three edges, or fewer than four for a rectangle.
+  SEVERAL_BORDERS, ///< The surface has holes, but must be a disk.
+  NONZERO_GENUS,   ///< The surface has handles: it is not a disk.
 
   /// The surface is neither a sphere nor a disk, which `Cone_options::angle_multiple` needs.
   WRONG_TOPOLOGY,
@@ -89,7 +89,6 @@ enum class Diagnosis
   // Atlases
   STRETCH_BOUND_MISSED, ///< Each face has a chart, but some chart is not good.
   SOMETHING_SKIPPED,    ///< Some parts have no charts; all other parts have charts.
-  NOTHING_FLATTENED,    ///< All parts were skipped.
 
   /// The charts of an atlas do not fit into the pages, or are not certified to be apart.
   PACKING_FAILED,
@@ -182,7 +181,6 @@ inline std::string to_string(Diagnosis diagnosis)
                                    "TIMED_OUT",
                                    "STRETCH_BOUND_MISSED",
                                    "SOMETHING_SKIPPED",
-                                   "NOTHING_FLATTENED",
                                    "PACKING_FAILED",
                                    "TOO_MANY_CHARTS",
                                    "CHART_TOO_LARGE",
@@ -235,7 +233,10 @@ struct Report
   Report(const Mesh_report<Mesh, Report_>&) = delete;
 
   Diagnosis status = Diagnosis::NOTHING_WRONG; ///< What is wrong.
-  std::string message; ///< A sentence that says what is wrong and where; empty if nothing is wrong.
+
+  /// A sentence that says what is wrong and where; empty if nothing is wrong. Vertices are named by their numbers and
+  /// points: "vertex 17 (0.1, nan, 3)". Section \ref ABF_errors of the manual says how they are counted.
+  std::string message;
 
   /// returns whether nothing is wrong.
   explicit operator bool() const { return status == Diagnosis::NOTHING_WRONG; }

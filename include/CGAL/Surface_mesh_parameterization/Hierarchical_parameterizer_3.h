@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_pins.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/coarse_solver.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/run_parameterizer.h>
@@ -208,6 +209,14 @@ public:
     m_points = internal::ABF::vertex_points<Triangle_mesh>(points);
   }
 
+  /// sets the numbers that messages call vertices by, from the next call of `parameterize()` on; see
+  /// `ABF_plus_plus_parameterizer_3::set_vertex_numbers()`.
+  template <typename VertexIndexMap>
+  void set_vertex_numbers(VertexIndexMap numbers)
+  {
+    m_numbers = internal::ABF::vertex_numbers_of<Triangle_mesh>(numbers);
+  }
+
   /// sets how much the angles of each face matter, from the next call of `parameterize()` on; see
   /// `ABF_plus_plus_parameterizer_3::set_importance()`.
   ///
@@ -251,6 +260,7 @@ public:
     prescriptions.importance = m_importance;
     prescriptions.equal_seam_lengths = false;
     prescriptions.points = m_points;
+    prescriptions.numbers = m_numbers;
     prescriptions.pins = internal::ABF::with_parameterized_vertices<Triangle_mesh>(m_pins, uvmap, vpmap);
     const auto outcome = internal::ABF::run_parameterizer<Hierarchical_report>(
         mesh, bhd, uvmap, vimap, prescriptions, m_options, m_linear_algebra,
@@ -301,15 +311,15 @@ private:
   Solver_traits m_linear_algebra;
   internal::ABF::Face_importance<Triangle_mesh> m_importance;
   internal::ABF::Vertex_points<Triangle_mesh> m_points;
+  internal::ABF::Vertex_numbers<Triangle_mesh> m_numbers;
   internal::ABF::Vertex_pins<Triangle_mesh> m_pins;
   internal::ABF::Last_outcome<Outcome> m_outcome;
 };
 
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
-/// replaces \cgal's function of this name. If the halfedge is null or not on a border, this function violates no
-/// precondition, but returns `ERROR_WRONG_PARAMETER`, and the status in the report is `Diagnosis::NOT_ON_BORDER`.
-/// Otherwise, both functions are the same.
+/// replaces \cgal's function of this name, for halfedges that are null or not on a border, as the function for
+/// `ABF_plus_plus_parameterizer_3` does.
 ///
 /// \relates Hierarchical_parameterizer_3
 template <typename TriangleMesh, typename CoarseParameterizer, typename SolverTraits, typename HD,

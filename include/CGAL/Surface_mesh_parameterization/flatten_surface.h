@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
@@ -140,9 +141,8 @@ using Report_of_method =
 
 flattens the connected component of the longest border of `mesh`. If this is not possible, the report says why.
 
-Unlike `parameterize()`, this function accepts a closed or empty mesh, and reports the diagnosis `Diagnosis::NO_BORDER`
-or `Diagnosis::EMPTY_MESH`. Coordinates, requirements on the surface, errors and complexity are those of
-`parameterize()`. Finding the longest border takes linear time.
+A closed or empty mesh has the diagnosis `Diagnosis::NO_BORDER` or `Diagnosis::EMPTY_MESH`. Coordinates, requirements
+on the surface, errors and complexity are those of `parameterize()`. Finding the longest border takes linear time.
 
 \code{.cpp}
 const auto report = flatten_surface(mesh, uvmap); // or flatten_surface(mesh, uvmap, options, np)
@@ -166,6 +166,11 @@ if(!report)
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{the points of the vertices}
     \cgalParamType{a model of `ReadablePropertyMap` as for `ABF_plus_plus_parameterizer_3::set_points()`}
+    \cgalParamDefault{those of the parameterizer}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{the numbers of vertices in messages}
+    \cgalParamType{a model of `ReadablePropertyMap` as for `ABF_plus_plus_parameterizer_3::set_vertex_numbers()`}
     \cgalParamDefault{those of the parameterizer}
   \cgalParamNEnd
   \cgalParamNBegin{face_importance_map}
@@ -206,25 +211,17 @@ flatten_surface(TriangleMesh& mesh, VertexUVMap uvmap, Method method,
   typename internal::ABF::Parameterizer_of<TriangleMesh, Method>::type parameterizer(std::move(method));
   if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::vertex_point_t>::value)
     parameterizer.set_points(parameters::get_parameter(np, internal_np::vertex_point));
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::vertex_index_t>::value)
+    parameterizer.set_vertex_numbers(parameters::get_parameter(np, internal_np::vertex_index));
   if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::face_importance_t>::value)
     parameterizer.set_importance(parameters::get_parameter(np, internal_np::face_importance));
   const auto border = internal::ABF::halfedge_on_border(mesh, internal::ABF::given_points<TriangleMesh>(np));
-  if(border != boost::graph_traits<TriangleMesh>::null_halfedge()) {
-    typedef internal::ABF::Noted_map<VertexUVMap> Noted_map;
-    std::vector<std::pair<typename Noted_map::key_type, typename Noted_map::value_type>> notes;
-    parameterize(mesh, parameterizer, border, Noted_map{&notes});
-    auto report = parameterizer.report();
-    for(const auto& [vertex, point] : notes)
-      put(uvmap, vertex, point);
-    return report;
-  }
-  internal::ABF::Report_of_method<TriangleMesh, Method> report;
-  if(faces(mesh).empty())
-    internal::ABF::fail(report, Diagnosis::EMPTY_MESH, "the mesh has no faces");
-  else
-    internal::ABF::fail(
-        report, Diagnosis::NO_BORDER,
-        "the surface is closed: it has no border; cut it open first, for example by select_seams()");
+  typedef internal::ABF::Noted_map<VertexUVMap> Noted_map;
+  std::vector<std::pair<typename Noted_map::key_type, typename Noted_map::value_type>> notes;
+  parameterize(mesh, parameterizer, border, Noted_map{&notes}); // which names a closed or empty mesh
+  auto report = parameterizer.report();
+  for(const auto& [vertex, point] : notes)
+    put(uvmap, vertex, point);
   return report;
 }
 

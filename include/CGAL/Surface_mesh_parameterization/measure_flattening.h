@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/measure_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/measure_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
@@ -82,10 +83,10 @@ struct No_face_visitor
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the measures of the whole component, or what is wrong: `bhd` is not a border halfedge
-///   (`Diagnosis::NOT_ON_BORDER`) or has no face on the other side (`Diagnosis::EMPTY_MESH`), a face is not a triangle
-///   (`Diagnosis::NOT_TRIANGULATED`), or a point of the component has a coordinate that is not finite
-///   (`Diagnosis::NON_FINITE_POINT`). The visitor is not called then.
+/// \return the measures of the whole component, or what is wrong: the surface is closed (`Diagnosis::NO_BORDER`),
+///   `bhd` is not a border halfedge (`Diagnosis::NOT_ON_BORDER`) or has no face on the other side
+///   (`Diagnosis::EMPTY_MESH`), a face is not a triangle (`Diagnosis::NOT_TRIANGULATED`), or a point of the
+///   component has a coordinate that is not finite (`Diagnosis::NON_FINITE_POINT`). The visitor is not called then.
 template <typename TriangleMesh, typename VertexUVMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Flattening_measures_report<TriangleMesh>
@@ -97,7 +98,8 @@ measure_flattening(const TriangleMesh& mesh,
   auto visitor = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),
                                               internal::ABF::No_face_visitor());
   Flattening_measures_report<TriangleMesh> report;
-  internal::ABF::Chart_reader<TriangleMesh> reader(mesh, internal::ABF::given_points<TriangleMesh>(np));
+  internal::ABF::Chart_reader<TriangleMesh> reader(mesh, internal::ABF::given_points<TriangleMesh>(np),
+                                                   internal::ABF::given_numbers<TriangleMesh>(np));
   internal::ABF::Chart_defect defect = reader.read(bhd);
   if(!defect)
     defect = internal::ABF::find_non_finite_point(reader.chart);
@@ -168,7 +170,8 @@ measure_flattening(const TriangleMesh& mesh, UVMap uvmap,
                                               internal::ABF::No_face_visitor());
   const auto points = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                                    get_const_property_map(CGAL::vertex_point, mesh));
-  return internal::ABF::Mapped_surface(mesh, points, uvmap).measure(visitor);
+  return internal::ABF::Mapped_surface(mesh, points, internal::ABF::given_numbers<TriangleMesh>(np), uvmap)
+      .measure(visitor);
 }
 
 } // namespace Surface_mesh_parameterization

@@ -14,6 +14,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/prescriptions.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/rectangle_corners.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 
@@ -122,21 +123,33 @@ struct Polygon_report : Mesh_report<TriangleMesh>
 /// \tparam TriangleMesh a model of `VertexListGraph` and `HalfedgeListGraph` whose vertex descriptors are ordered by
 ///   `<`
 ///
+/// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+///
 /// \param mesh a triangle mesh
 /// \param corners the corners with their angles in radians, in any order
+/// \param np optional named parameters:
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_index_map}
+///     \cgalParamDescription{the numbers of vertices in messages}
+///     \cgalParamType{a model of `ReadablePropertyMap` with an integer as value type}
+///     \cgalParamDefault{positions in the sequence of vertices, from 0}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// \return the angles, or what is wrong: there is no corner or a corner occurs twice (`Diagnosis::WRONG_OPTION`), or a
 ///   corner is not on the border of the first one (`Diagnosis::NOT_ON_BORDER`). The offending vertex is the corner.
-template <typename TriangleMesh>
+template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
 Polygon_report<TriangleMesh> polygon_angles(
     const TriangleMesh& mesh,
     const std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, double>>&
-        corners)
+        corners,
+    const NamedParameters& np = parameters::default_values())
 {
   Polygon_report<TriangleMesh> report;
   const auto fail = [&](Diagnosis diagnosis, const auto& v, const char* what) {
     report.status = diagnosis;
-    report.message = "vertex " + internal::ABF::rank_text(vertices(mesh), v) + what;
+    report.message = internal::ABF::vertex_of_mesh_text(mesh, v, np) + what;
     report.offending_vertices = {v};
     return report;
   };
@@ -171,16 +184,17 @@ Polygon_report<TriangleMesh> polygon_angles(
 /// returns the angles of a rectangle whose corners are four vertices of a border of `mesh`, in any order. The surface
 /// determines the ratio of its sides; the overload with a ratio chooses corners for it.
 ///
-/// Requirements, report and time are those of `polygon_angles()`.
-template <typename TriangleMesh>
+/// Requirements, named parameters, report and time are those of `polygon_angles()`.
+template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
 Polygon_report<TriangleMesh>
 rectangle_angles(const TriangleMesh& mesh,
-                 const std::array<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, 4>& corners)
+                 const std::array<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, 4>& corners,
+                 const NamedParameters& np = parameters::default_values())
 {
   std::vector<std::pair<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, double>> right;
   for(const auto& v : corners)
     right.emplace_back(v, CGAL_PI / 2);
-  return polygon_angles(mesh, right);
+  return polygon_angles(mesh, right, np);
 }
 
 /// \ingroup PkgAngleBasedFlatteningRef
@@ -248,7 +262,8 @@ rectangle_angles(const TriangleMesh& mesh,
                  const NamedParameters& np = parameters::default_values())
 {
   Rectangle_report<TriangleMesh> report;
-  internal::ABF::Chart_reader<TriangleMesh> reader(mesh, internal::ABF::given_points<TriangleMesh>(np));
+  internal::ABF::Chart_reader<TriangleMesh> reader(mesh, internal::ABF::given_points<TriangleMesh>(np),
+                                                   internal::ABF::given_numbers<TriangleMesh>(np));
   internal::ABF::Rectangle_corners chosen;
   chosen.defect = reader.read(bhd);
   if(!chosen.defect)
@@ -351,7 +366,8 @@ split_flat_chords(TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>
   Split_edges_report<TriangleMesh> report;
   std::vector<vertex_descriptor> ends;
   {
-    internal::ABF::Chart_reader<TriangleMesh> reader(mesh, internal::ABF::given_points<TriangleMesh>(np));
+    internal::ABF::Chart_reader<TriangleMesh> reader(mesh, internal::ABF::given_points<TriangleMesh>(np),
+                                                     internal::ABF::given_numbers<TriangleMesh>(np));
     internal::ABF::Chart_defect defect = reader.read(bhd);
     if(!defect)
       defect = internal::ABF::diagnose(reader.chart, true);

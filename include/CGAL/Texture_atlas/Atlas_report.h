@@ -12,6 +12,8 @@
 #include <CGAL/Surface_mesh_parameterization/Flattening_measures.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -58,7 +60,10 @@ struct Packing_report : Report
 
 /// \ingroup PkgTextureAtlasRef
 ///
-/// The report of `make_atlas()` and `make_common_atlas()`.
+/// The report of `make_atlas()` and `make_common_atlas()`. `Mesh_atlas_report` adds elements of a mesh.
+///
+/// If some parts have charts and others have not, the status is `Diagnosis::SOMETHING_SKIPPED`. If no part has charts,
+/// it is the diagnosis of the first part. The message is about the first part in both cases.
 struct Atlas_report : Report
 {
   using Report::Report;
@@ -149,6 +154,10 @@ struct Atlas_report : Report
     Diagnosis status = Diagnosis::NOTHING_WRONG; ///< What is wrong.
     std::string message;                         ///< A sentence that says what is wrong, and where.
     std::size_t mesh = 0; ///< The number of the mesh that contains it, among those of `make_common_atlas()`.
+
+    /// The vertices that are wrong, such as those with a coordinate that is not finite: positions, from 0, in the
+    /// sequence of vertices of the mesh. Empty if the part is wrong as a whole.
+    std::vector<std::size_t> vertices;
   };
 
   /// Wall clock time of each stage, in seconds.
@@ -247,6 +256,36 @@ inline std::string to_string(Atlas_report::Seam_lengths lengths)
                                    "NOT_TRIED", "NO_EQUATIONS",  "NOT_CONVERGED", "TOO_MUCH_DISTORTION"};
   return Surface_mesh_parameterization::internal::ABF::name_of(lengths, names);
 }
+
+/// \ingroup PkgTextureAtlasRef
+///
+/// The report of `make_atlas()` and `make_common_atlas()` of meshes, with elements of the meshes.
+///
+/// Of one mesh, `Mesh_report::offending_faces` has the first face of each part without charts, and
+/// `Mesh_report::offending_vertices` all its wrong vertices. Of several meshes, these are empty.
+///
+/// \code{.cpp}
+/// for(std::size_t i = 0; i < report.skipped.size(); ++i)
+///   for(auto v : report.skipped_elements[i].vertices)
+///     std::cerr << v << ": " << report.skipped[i].message << "\n";
+/// \endcode
+///
+/// \tparam TriangleMesh a model of `FaceGraph`
+template <typename TriangleMesh>
+struct Mesh_atlas_report : Mesh_report<TriangleMesh, Atlas_report>
+{
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor; ///< Vertex type
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;     ///< Face type
+
+  /// Elements of the mesh `Atlas_report::Skipped::mesh`
+  struct Part_elements
+  {
+    std::vector<face_descriptor> faces;      ///< The faces of the part, in the order of the mesh.
+    std::vector<vertex_descriptor> vertices; ///< Those of `Atlas_report::Skipped::vertices`.
+  };
+
+  std::vector<Part_elements> skipped_elements; ///< The elements of each part in `Atlas_report::skipped`.
+};
 
 } // namespace Texture_atlas
 

@@ -101,6 +101,16 @@ With `CGAL::TBB_support`, parts are flattened in parallel. The result does not d
     \cgalParamType{a model of `ReadablePropertyMap` with a value type that can be compared}
     \cgalParamDefault{each triangle is a polygon}
   \cgalParamNEnd
+  \cgalParamNBegin{vertex_index_map}
+    \cgalParamDescription{the numbers of vertices in messages}
+    \cgalParamType{a model of `ReadablePropertyMap` with an integer as value type}
+    \cgalParamDefault{positions in the sequence of vertices, from 0}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_index_map}
+    \cgalParamDescription{the numbers of faces in messages}
+    \cgalParamType{a model of `ReadablePropertyMap` with an integer as value type}
+    \cgalParamDefault{positions in the sequence of faces, from 0}
+  \cgalParamNEnd
   \cgalParamNBegin{sparse_linear_solver}
     \cgalParamDescription{the solver of the linear systems}
     \cgalParamType{a model of `SparseLinearAlgebraTraits_d`}
@@ -126,10 +136,10 @@ template <typename TriangleMesh, typename EdgeIsSeamMap, typename HalfedgeUVMap,
           typename = internal::Is_map<FaceChartMap, Atlas_options>
 #endif
           >
-Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, EdgeIsSeamMap seams,
-                                                   HalfedgeUVMap uv, FaceChartMap charts,
-                                                   const Atlas_options& options = Atlas_options(),
-                                                   const NamedParameters& np = parameters::default_values())
+Mesh_atlas_report<TriangleMesh> make_atlas(const TriangleMesh& mesh, EdgeIsSeamMap seams, HalfedgeUVMap uv,
+                                           FaceChartMap charts,
+                                           const Atlas_options& options = Atlas_options(),
+                                           const NamedParameters& np = parameters::default_values())
 {
   const auto one = [](const auto& value) { return CGAL::make_range(&value, &value + 1); };
   return internal::atlas_of_meshes(one(mesh), one(seams), one(uv), one(charts), options, np);
@@ -140,9 +150,8 @@ Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, Edg
 /// makes an atlas as above, with the default options.
 template <typename TriangleMesh, typename EdgeIsSeamMap, typename HalfedgeUVMap, typename FaceChartMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT>
-Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, EdgeIsSeamMap seams,
-                                                   HalfedgeUVMap uv, FaceChartMap charts,
-                                                   const CGAL_NP_CLASS& np)
+Mesh_atlas_report<TriangleMesh> make_atlas(const TriangleMesh& mesh, EdgeIsSeamMap seams, HalfedgeUVMap uv,
+                                           FaceChartMap charts, const CGAL_NP_CLASS& np)
 {
   return make_atlas(mesh, seams, uv, charts, Atlas_options(), np);
 }
@@ -159,9 +168,9 @@ if(const auto report = make_atlas(mesh, uv); !report)
 */
 template <typename TriangleMesh, typename HalfedgeUVMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, HalfedgeUVMap uv,
-                                                   const Atlas_options& options = Atlas_options(),
-                                                   const NamedParameters& np = parameters::default_values())
+Mesh_atlas_report<TriangleMesh> make_atlas(const TriangleMesh& mesh, HalfedgeUVMap uv,
+                                           const Atlas_options& options = Atlas_options(),
+                                           const NamedParameters& np = parameters::default_values())
 {
   return make_atlas(mesh, nullptr, uv, nullptr, options, np);
 }
@@ -170,8 +179,8 @@ Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, Hal
 ///
 /// makes an atlas as above, without given seams, and with the default options.
 template <typename TriangleMesh, typename HalfedgeUVMap, typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT>
-Mesh_report<TriangleMesh, Atlas_report> make_atlas(const TriangleMesh& mesh, HalfedgeUVMap uv,
-                                                   const CGAL_NP_CLASS& np)
+Mesh_atlas_report<TriangleMesh> make_atlas(const TriangleMesh& mesh, HalfedgeUVMap uv,
+                                           const CGAL_NP_CLASS& np)
 {
   return make_atlas(mesh, uv, Atlas_options(), np);
 }
@@ -183,8 +192,8 @@ makes one texture atlas of several meshes, with the same texel density, as `make
 
 The result is, bit by bit, that of one mesh with all faces in their order. Meshes that touch are not joined. Charts are
 numbered through, those of the first mesh first. `Atlas_report::Chart::mesh` and `Atlas_report::Skipped::mesh` say which
-mesh they belong to. `Atlas_report::Skipped::first_face` and messages count the faces of this mesh. If anything but a
-part is wrong, nothing is written to any mesh.
+mesh they belong to. `Atlas_report::Skipped::first_face`, `Mesh_atlas_report::skipped_elements` and messages are about
+this mesh. If anything but a part is wrong, nothing is written to any mesh.
 
 \tparam MeshRange a range of models of `FaceListGraph` and `HalfedgeListGraph` of one type
 \tparam EdgeIsSeamMapRange, HalfedgeUVMapRange, FaceChartMapRange ranges of property maps as those of `make_atlas()`,
@@ -199,7 +208,7 @@ part is wrong, nothing is written to any mesh.
 \param np optional: `sparse_linear_solver` and `visitor`, as of `make_atlas()`. Its other named parameters belong to one
        mesh, and do not compile.
 
-\return the charts, their distortion, and what is wrong, if anything
+\return the charts, their distortion, and what is wrong, if anything: a `Mesh_atlas_report` of the type of the meshes
 
 \sa `make_atlas()`
 */
@@ -210,10 +219,14 @@ template <typename MeshRange, typename EdgeIsSeamMapRange, typename HalfedgeUVMa
           typename = internal::Is_map<FaceChartMapRange, Atlas_options>
 #endif
           >
-Atlas_report make_common_atlas(const MeshRange& meshes, const EdgeIsSeamMapRange& seams,
-                               const HalfedgeUVMapRange& uv, const FaceChartMapRange& charts,
-                               const Atlas_options& options = Atlas_options(),
-                               const NamedParameters& np = parameters::default_values())
+#ifndef DOXYGEN_RUNNING
+Mesh_atlas_report<internal::Element_of<MeshRange>>
+#else
+unspecified_type
+#endif
+make_common_atlas(const MeshRange& meshes, const EdgeIsSeamMapRange& seams, const HalfedgeUVMapRange& uv,
+                  const FaceChartMapRange& charts, const Atlas_options& options = Atlas_options(),
+                  const NamedParameters& np = parameters::default_values())
 {
   return internal::common_atlas(meshes, seams, uv, charts, options, np);
 }
@@ -223,9 +236,13 @@ Atlas_report make_common_atlas(const MeshRange& meshes, const EdgeIsSeamMapRange
 /// makes one atlas of several meshes as above, with the default options.
 template <typename MeshRange, typename EdgeIsSeamMapRange, typename HalfedgeUVMapRange,
           typename FaceChartMapRange, typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT>
-Atlas_report make_common_atlas(const MeshRange& meshes, const EdgeIsSeamMapRange& seams,
-                               const HalfedgeUVMapRange& uv, const FaceChartMapRange& charts,
-                               const CGAL_NP_CLASS& np)
+#ifndef DOXYGEN_RUNNING
+Mesh_atlas_report<internal::Element_of<MeshRange>>
+#else
+unspecified_type
+#endif
+make_common_atlas(const MeshRange& meshes, const EdgeIsSeamMapRange& seams, const HalfedgeUVMapRange& uv,
+                  const FaceChartMapRange& charts, const CGAL_NP_CLASS& np)
 {
   return make_common_atlas(meshes, seams, uv, charts, Atlas_options(), np);
 }
@@ -244,9 +261,14 @@ if(const auto report = make_common_atlas(meshes, uv); !report)
 */
 template <typename MeshRange, typename HalfedgeUVMapRange,
           typename NamedParameters = parameters::Default_named_parameters>
-Atlas_report make_common_atlas(const MeshRange& meshes, const HalfedgeUVMapRange& uv,
-                               const Atlas_options& options = Atlas_options(),
-                               const NamedParameters& np = parameters::default_values())
+#ifndef DOXYGEN_RUNNING
+Mesh_atlas_report<internal::Element_of<MeshRange>>
+#else
+unspecified_type
+#endif
+make_common_atlas(const MeshRange& meshes, const HalfedgeUVMapRange& uv,
+                  const Atlas_options& options = Atlas_options(),
+                  const NamedParameters& np = parameters::default_values())
 {
   const std::vector<std::nullptr_t> none(internal::size_of(meshes), nullptr);
   return internal::common_atlas(meshes, none, uv, none, options, np);
@@ -256,7 +278,12 @@ Atlas_report make_common_atlas(const MeshRange& meshes, const HalfedgeUVMapRange
 ///
 /// makes one atlas of several meshes as above, without given seams, and with the default options.
 template <typename MeshRange, typename HalfedgeUVMapRange, typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT>
-Atlas_report make_common_atlas(const MeshRange& meshes, const HalfedgeUVMapRange& uv, const CGAL_NP_CLASS& np)
+#ifndef DOXYGEN_RUNNING
+Mesh_atlas_report<internal::Element_of<MeshRange>>
+#else
+unspecified_type
+#endif
+make_common_atlas(const MeshRange& meshes, const HalfedgeUVMapRange& uv, const CGAL_NP_CLASS& np)
 {
   return make_common_atlas(meshes, uv, Atlas_options(), np);
 }

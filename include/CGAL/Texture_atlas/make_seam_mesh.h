@@ -12,6 +12,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
 #include <CGAL/Texture_atlas/internal/seams/opened_surface.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
@@ -201,7 +202,7 @@ Seam_mesh_report<TriangleMesh> make_seam_mesh(const TriangleMesh& mesh, EdgeIsSe
     put(vertex_marks, v, false);
   result.status = Diagnosis::NON_MANIFOLD_VERTEX;
   result.offending_vertices = {target(wrong, mesh)};
-  result.message = "vertex " + internal::rank_text(vertices(mesh), target(wrong, mesh)) +
+  result.message = internal::vertex_of_mesh_text(mesh, target(wrong, mesh)) +
                    " is surrounded by faces, and is on a seam or border of other faces";
   return result;
 }

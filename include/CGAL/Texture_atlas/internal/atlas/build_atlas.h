@@ -25,6 +25,7 @@
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 #include <CGAL/Texture_atlas/internal/seams/piece.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -81,13 +82,20 @@ struct Part_atlas
 {
   Diagnosis status = Diagnosis::NOTHING_WRONG; // or why there are no charts
   std::string message;
-  Chart chart; // the part, opened along the seams; its triangles and corners are those of the part
+  int wrong_corner = -1; // where the chart could not be kept or certified; -1 if that is no single one
+  Chart chart;           // the part, opened along the seams; its triangles and corners are those of the part
   std::vector<Chart::Point_2> uv;          // of each vertex of the chart, in the units of the surface
   std::vector<int> piece;                  // of each triangle: the chart of the atlas that it is in
   std::vector<Atlas_report::Chart> pieces; // by their numbers: how they were made
   std::size_t number_of_terminals = 0;
 
   bool succeeded() const { return status == Diagnosis::NOTHING_WRONG; }
+
+  int corner_at(int vertex) const
+  {
+    return static_cast<int>(std::find(chart.vertex.begin(), chart.vertex.end(), vertex) -
+                            chart.vertex.begin());
+  }
 };
 
 // The charts of all parts of a surface, with their final coordinates
@@ -95,6 +103,7 @@ struct Atlas
 {
   std::vector<Part_atlas> parts;
   std::vector<std::size_t> first_chart; // of each part: the number of its first chart
+  bool has_no_charts = false;           // because no part could be flattened
   Atlas_report report;                  // without the lengths of seams and the measures of the caller
 };
 

@@ -100,7 +100,7 @@ public:
       return false;
     number_charts();
     if(m_atlas.report.charts.empty()) {
-      fail(Diagnosis::NOTHING_FLATTENED, "no part of the surface can be flattened");
+      m_atlas.has_no_charts = true;
       return false;
     }
     take_maps_as_made();
@@ -259,13 +259,14 @@ private:
       number_charts();
       take_maps_as_made();
     }
-    fail(Diagnosis::NOTHING_FLATTENED, "no part of the surface can be flattened");
+    m_atlas.has_no_charts = true;
     return false;
   }
 
   void remake(std::size_t i, const std::string& wrong)
   {
     m_remakes.resize(m_parts.size(), 0);
+    const int wrong_corner = m_atlas.parts[i].wrong_corner;
     m_uv_as_made[i].clear();
     Chart_options options = m_options;
     options.keeps_distance = true;
@@ -278,6 +279,7 @@ private:
     }
     m_atlas.parts[i].status = Diagnosis::PRECISION_EXCEEDED;
     m_atlas.parts[i].message = wrong;
+    m_atlas.parts[i].wrong_corner = wrong_corner;
   }
 
   void fail(Diagnosis diagnosis, const std::string& message)

@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/measure_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
 #include <CGAL/Texture_atlas/Atlas_options.h>
@@ -73,23 +74,24 @@ inline Map_defect find_map_defect(const Part_atlas& part)
   return {};
 }
 
-// Returns why the final map of a part is not injective, or nothing.
-inline std::string certify_part(const Part_atlas& part)
+// Returns why the final map of a part is not injective, or nothing, and notes where.
+inline std::string certify_part(Part_atlas& part)
 {
   const Map_defect defect = find_map_defect(part);
   if(defect.status == Diagnosis::NOTHING_WRONG)
     return "";
+  part.wrong_corner = part.corner_at(defect.vertex);
   return "the final coordinates have too few digits for " +
          (defect.number_of_flipped > 0 ? std::to_string(defect.number_of_flipped) + " triangle(s), one"
                                        : std::string("the border")) +
-         " at the vertex at " + position_text(part.chart, defect.vertex);
+         " at " + vertex_text(part.chart, defect.vertex);
 }
 
 // Says what is wrong with a map that was given.
 inline std::string defect_text(const Part_atlas& part, const Map_defect& defect)
 {
   const std::string chart = "the given chart of " + std::to_string(part.piece.size()) + " triangle(s)",
-                    vertex = " the vertex at " + position_text(part.chart, defect.vertex);
+                    vertex = " " + vertex_text(part.chart, defect.vertex);
   if(defect.status == Diagnosis::FLIPPED_TRIANGLES)
     return chart + " has " + std::to_string(defect.number_of_flipped) +
            " that are flipped or have no area, one at" + vertex;
@@ -120,8 +122,10 @@ inline Part_atlas given_part(const Surface_part& part, double page_aspect)
   else
     defect = find_map_defect(atlas);
   atlas.status = defect.status;
-  if(!atlas.succeeded())
+  if(!atlas.succeeded()) {
     atlas.message = defect_text(atlas, defect);
+    atlas.wrong_corner = atlas.corner_at(defect.vertex);
+  }
   for(Chart::Point_2& p : atlas.uv) // where texels are squares
     p = Chart::Point_2(p.x(), p.y() / page_aspect);
   return atlas;

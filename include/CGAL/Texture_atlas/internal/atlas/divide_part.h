@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/parallel.h>
@@ -210,8 +211,7 @@ public:
     if(triangles.size() < 2) {
       Part_atlas failure;
       failure.status = Diagnosis::PRECISION_EXCEEDED;
-      failure.message =
-          "the part of the surface with the vertex at " + position_text(m_surface, 0) + " cannot be divided";
+      failure.message = "the part of the surface with " + vertex_text(m_surface, 0) + " cannot be divided";
       return failure;
     }
     Chart_options options = m_options;

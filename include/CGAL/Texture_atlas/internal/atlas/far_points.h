@@ -10,15 +10,30 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
+#include <CGAL/Texture_atlas/internal/parameterization_names.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {
 
 constexpr const char* far_point_text = "more than a billion times as far from the middle as most vertices";
+
+// A sentence about vertices that are not finite, or far away, of which it names the first
+inline std::string wrong_points_text(const std::string& first, std::size_t count, Diagnosis kind)
+{
+  std::string text = first;
+  if(count > 1)
+    text += " and " + std::to_string(count - 1) + (count > 2 ? " others" : " other");
+  if(kind == Diagnosis::FAR_POINT)
+    return text + (count > 1 ? " are " : " is ") + far_point_text;
+  return text + (count > 1 ? " have coordinates that are not all finite numbers" : non_finite_text);
+}
 
 // Tells which points are so much farther from the middle than two thirds of all corners of faces that beside them
 // nothing else could be seen. In each coordinate, the middle is the median. Corners are counted, and not vertices,

@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/patch_layouts.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Texture_atlas/internal/seams/piece.h>
@@ -71,8 +72,8 @@ public:
   Part_atlas run()
   {
     if(has_no_area())
-      return failure(Diagnosis::NO_AREA, "the part of the surface with the vertex at " +
-                                             position_text(m_surface, 0) + " has no area");
+      return failure(Diagnosis::NO_AREA,
+                     "the part of the surface with " + vertex_text(m_surface, 0) + " has no area");
     if(take_flat_surface())
       return result();
     m_progress.set_stage(0, 0.1);
@@ -254,8 +255,8 @@ private:
       return result();
     }
     if(separation.status != Separation::DONE)
-      return failure(Diagnosis::OVERLAPPING, "the map of the part of the surface with the vertex at " +
-                                                 position_text(m_surface, 0) +
+      return failure(Diagnosis::OVERLAPPING, "the map of the part of the surface with " +
+                                                 vertex_text(m_surface, 0) +
                                                  " overlaps itself, and could not be separated");
     Part_atlas atlas = result();
     if(separation.number_of_pieces > 1) {
@@ -275,7 +276,7 @@ private:
 
   Part_atlas failure(Seams::Status status) const
   {
-    const std::string where = "the part of the surface with the vertex at " + position_text(m_surface, 0);
+    const std::string where = "the part of the surface with " + vertex_text(m_surface, 0);
     return status == Seams::NO_CUT
                ? failure(Diagnosis::NO_CUT_ALLOWED,
                          where + " cannot be cut to a disk along the edges that may become seams")

@@ -44,7 +44,7 @@ class Mesh_atlas_builder
 {
   typedef Mesh_in_atlas<TriangleMesh, EdgeIsSeamMap, HalfedgeUVMap, FaceChartMap, NamedParameters> Read_mesh;
   typedef typename boost::property_traits<HalfedgeUVMap>::value_type Point;
-  typedef Mesh_report<TriangleMesh, Atlas_report> Report;
+  typedef Mesh_atlas_report<TriangleMesh> Report;
   typedef Atlas_stage Stage;
 
 public:
@@ -127,7 +127,7 @@ private:
       return fail(report, Diagnosis::EMPTY_MESH, "the mesh has no faces");
     if(triangles == 0) {
       list_parts(report);
-      return fail(report, Diagnosis::NOTHING_FLATTENED, "no part of the surface can be flattened");
+      return fail_for_first_part(report);
     }
     if(triangles > static_cast<std::size_t>(largest_number_of_triangles))
       return fail(report, Diagnosis::TOO_LARGE, "the surface has more triangles than 32-bit numbers allow");
@@ -181,9 +181,10 @@ private:
     if(m_options.pack_into_square)
       report.scale /= m_weight_scale;
     list_parts(report);
-    if(report.status == Diagnosis::STRETCH_BOUND_MISSED)
-      for(const Read_mesh& mesh : m_meshes)
-        mesh.name_bad_charts(report);
+    if(atlas.has_no_charts)
+      fail_for_first_part(report);
+    if(report.status == Diagnosis::STRETCH_BOUND_MISSED && m_meshes.size() == 1)
+      m_meshes.front().name_bad_charts(report);
   }
 
   // Some of the elements. There are none if the atlas was not begun.
@@ -213,8 +214,8 @@ private:
           meshes.push_back(i);
         }
         if(listed.part.status != Diagnosis::NOTHING_WRONG) {
-          report.skipped.push_back(listed.part);
-          report.offending_faces.push_back(listed.face);
+          report.skipped.push_back(std::move(listed.part));
+          report.skipped_elements.push_back(std::move(listed.elements));
         }
       }
     }
@@ -222,13 +223,29 @@ private:
       chart.mesh = meshes[chart.part];
       chart.part = numbers[chart.part];
     }
-    if(!report.skipped.empty() && report.has_atlas()) {
-      const typename Report::Skipped& first = report.skipped.front();
-      report.status = Diagnosis::SOMETHING_SKIPPED;
-      report.message =
-          std::to_string(report.skipped.size()) + " of " + std::to_string(report.number_of_parts) +
-          " parts of the surface have no charts; the first: " + name_of_mesh(first.mesh) + first.message;
-    }
+    if(!report.skipped.empty() && report.has_atlas())
+      fail(report, Diagnosis::SOMETHING_SKIPPED,
+           std::to_string(report.skipped.size()) + " of " + std::to_string(report.number_of_parts) +
+               " parts of the surface have no charts; the first: " + message_of_first_part(report));
+    if(m_meshes.size() == 1) // elements of several meshes would be mixed up
+      for(const typename Report::Part_elements& elements : report.skipped_elements) {
+        report.offending_faces.push_back(elements.faces.front());
+        report.offending_vertices.insert(report.offending_vertices.end(), elements.vertices.begin(),
+                                         elements.vertices.end());
+      }
+  }
+
+  std::string message_of_first_part(const Report& report) const
+  {
+    return name_of_mesh(report.skipped.front().mesh) + report.skipped.front().message;
+  }
+
+  bool fail_for_first_part(Report& report) const
+  {
+    return fail(report, report.skipped.front().status,
+                "no part of the surface can be flattened" +
+                    std::string(report.skipped.size() > 1 ? "; the first: " : ": ") +
+                    message_of_first_part(report));
   }
 
   void measure_seams(Report& report) const

@@ -14,6 +14,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Texture_atlas/internal/atlas/far_points.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
@@ -33,7 +34,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
-#include <sstream>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,18 +56,22 @@ class Mesh_components
     std::size_t number_of_faces = 0;
     Diagnosis status = Diagnosis::NOTHING_WRONG; // or what is wrong with one of its faces
     std::string message;
-    face_descriptor face = Graph_traits::null_face(); // that is wrong
+    std::vector<face_descriptor> faces;      // of a wrong component
+    std::vector<vertex_descriptor> vertices; // that are wrong
   };
 
 public:
-  Mesh_components(const TriangleMesh& mesh, VertexPointMap points) : m_mesh(mesh), m_points(points) {}
+  Mesh_components(const TriangleMesh& mesh, VertexPointMap points, Vertex_numbers<TriangleMesh> numbers)
+      : m_mesh(mesh), m_points(points), m_vertex_number(std::move(numbers))
+  {}
 
   // Sets the number that messages call a face by, in place of its position.
-  void set_numbers(std::function<std::size_t(face_descriptor)> number) { m_number = std::move(number); }
+  void set_numbers(std::function<std::ptrdiff_t(face_descriptor)> number) { m_number = std::move(number); }
 
-  // Opened along the edges with `is_cut(e)`, and around wrong faces, which condemn no others
-  template <typename IsCut>
-  void find(const IsCut& is_cut)
+  // Opened along the edges with `is_cut(e)`, and around wrong faces, which condemn no others but those of the same
+  // polygon, across edges with `is_in_polygon(e)`
+  template <typename IsCut, typename IsInPolygon>
+  void find(const IsCut& is_cut, const IsInPolygon& is_in_polygon)
   {
     m_component = get(CGAL::dynamic_face_property_t<std::size_t>(), m_mesh);
     m_rank = get(CGAL::dynamic_face_property_t<std::size_t>(), m_mesh);
@@ -78,6 +83,7 @@ public:
     m_far_points = Far_points(std::move(corners));
     for(face_descriptor f : faces(m_mesh))
       put(m_defect, f, defect(f));
+    condemn_polygons(is_in_polygon);
     const auto is_open = [&](edge_descriptor e) { return is_cut(e) || is_at_defect(e); };
     m_components.resize(Polygon_mesh_processing::connected_components(
         m_mesh, m_component,
@@ -88,12 +94,19 @@ public:
       Component& component = m_components[get(m_component, f)];
       if(component.number_of_faces++ == 0) {
         component.first_face = rank;
-        inspect(f, component);
+        component.status = get(m_defect, f);
       }
+      if(is_wrong(component))
+        component.faces.push_back(f);
       if(component.status == Diagnosis::NO_AREA)
         m_without_area.push_back(f);
       ++rank;
     }
+    for(Component& component : m_components)
+      if(is_wrong(component)) {
+        component.vertices = wrong_vertices(component);
+        component.message = message(component);
+      }
   }
 
   // Whether the faces of an edge differ in what is wrong with them
@@ -131,15 +144,44 @@ public:
   // The position in the sequence of faces
   std::size_t rank(face_descriptor f) const { return get(m_rank, f); }
 
+  // In messages
+  std::string face_name(face_descriptor f) const { return "face " + std::to_string(number_of(f)); }
+
 private:
   static bool is_wrong(const Component& component) { return component.status != Diagnosis::NOTHING_WRONG; }
 
-  void inspect(face_descriptor f, Component& component) const
+  // Those for which faces are wrong, in the order of the faces
+  std::vector<vertex_descriptor> wrong_vertices(const Component& component) const
   {
-    component.status = get(m_defect, f);
-    if(is_wrong(component)) {
-      component.message = message(f, component.status);
-      component.face = f;
+    std::vector<vertex_descriptor> result;
+    std::set<vertex_descriptor> found;
+    for(face_descriptor f : component.faces)
+      for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
+        const vertex_descriptor v = target(h, m_mesh);
+        if(defect(point(v)) == component.status && found.insert(v).second)
+          result.push_back(v);
+      }
+    return result;
+  }
+
+  // All triangles of a polygon with a wrong vertex are wrong, as its first one is.
+  template <typename IsInPolygon>
+  void condemn_polygons(const IsInPolygon& is_in_polygon)
+  {
+    std::set<face_descriptor> found;
+    for(face_descriptor first : faces(m_mesh)) {
+      const Diagnosis wrong = get(m_defect, first);
+      if((wrong != Diagnosis::NON_FINITE_POINT && wrong != Diagnosis::FAR_POINT) ||
+         !found.insert(first).second)
+        continue;
+      for(std::vector<face_descriptor> stack = {first}; !stack.empty();) {
+        const face_descriptor f = stack.back();
+        stack.pop_back();
+        put(m_defect, f, wrong);
+        for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh))
+          if(is_in_polygon(edge(h, m_mesh)) && found.insert(face(opposite(h, m_mesh), m_mesh)).second)
+            stack.push_back(face(opposite(h, m_mesh), m_mesh));
+      }
     }
   }
 
@@ -149,15 +191,18 @@ private:
     return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
   }
 
+  Diagnosis defect(const Far_points::Point& p) const
+  {
+    return !Far_points::is_finite(p) ? Diagnosis::NON_FINITE_POINT
+           : m_far_points.contain(p) ? Diagnosis::FAR_POINT
+                                     : Diagnosis::NOTHING_WRONG;
+  }
+
   Diagnosis defect(face_descriptor f) const
   {
-    for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh)) {
-      const Far_points::Point p = point(target(h, m_mesh));
-      if(!Far_points::is_finite(p))
-        return Diagnosis::NON_FINITE_POINT;
-      if(m_far_points.contain(p))
-        return Diagnosis::FAR_POINT;
-    }
+    for(halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, m_mesh), m_mesh))
+      if(const Diagnosis wrong = defect(point(target(h, m_mesh))); wrong != Diagnosis::NOTHING_WRONG)
+        return wrong;
     if(!CGAL::is_triangle(halfedge(f, m_mesh), m_mesh))
       return Diagnosis::UNDIVIDED_FACE;
     return has_no_area(f) ? Diagnosis::NO_AREA : Diagnosis::NOTHING_WRONG;
@@ -176,26 +221,40 @@ private:
     return CGAL::collinear(points[0], points[1], points[2]);
   }
 
-  std::string message(face_descriptor f, Diagnosis diagnosis) const
+  std::ptrdiff_t number_of(face_descriptor f) const
   {
-    const auto [x, y, z] = point(target(halfedge(f, m_mesh), m_mesh));
-    std::ostringstream text;
-    text << "face " << (m_number ? m_number(f) : rank(f)) << " at (" << x << ", " << y << ", " << z << ") "
-         << (diagnosis == Diagnosis::UNDIVIDED_FACE
-                 ? "cannot be divided into triangles: other edges join its corners already"
-             : diagnosis == Diagnosis::NO_AREA   ? "has no area, and no neighbor with a chart"
-             : diagnosis == Diagnosis::FAR_POINT ? std::string("has a vertex that is ") + far_point_text
-                                                 : "has a vertex whose coordinates are not all finite");
-    return text.str();
+    return m_number ? m_number(f) : static_cast<std::ptrdiff_t>(rank(f));
+  }
+
+  std::string vertex_name(vertex_descriptor v) const
+  {
+    return vertex_text(m_vertex_number(v), get(m_points, v));
+  }
+
+  std::string message(const Component& component) const
+  {
+    const face_descriptor f = *std::min_element(
+        component.faces.begin(), component.faces.end(),
+        [this](face_descriptor g, face_descriptor k) { return number_of(g) < number_of(k); });
+    const std::string face = face_name(f);
+    if(component.vertices.empty())
+      return face + ", at " + vertex_name(target(halfedge(f, m_mesh), m_mesh)) + ", " +
+             (component.status == Diagnosis::UNDIVIDED_FACE
+                  ? "cannot be divided into triangles: other edges join its corners already"
+                  : "has no area, and no neighbor with a chart");
+    return wrong_points_text(vertex_name(component.vertices.front()), component.vertices.size(),
+                             component.status) +
+           ", first in " + face;
   }
 
   const TriangleMesh& m_mesh;
   VertexPointMap m_points;
+  Vertex_numbers<TriangleMesh> m_vertex_number; // in messages
   typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<std::size_t>>::const_type
       m_component,
       m_rank; // of each face
   typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Diagnosis>>::const_type m_defect;
-  std::function<std::size_t(face_descriptor)> m_number; // or null
+  std::function<std::ptrdiff_t(face_descriptor)> m_number; // or null
   Far_points m_far_points;
   std::vector<face_descriptor> m_without_area;
   std::vector<Component> m_components;

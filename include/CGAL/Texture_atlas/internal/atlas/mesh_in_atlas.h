@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Texture_atlas/internal/atlas/build_atlas.h>
 #include <CGAL/Texture_atlas/internal/atlas/mesh_components.h>
@@ -30,6 +31,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -47,7 +49,8 @@ class Mesh_in_atlas
   typedef typename Graph_traits::face_descriptor face_descriptor;
   typedef Atlas_mesh_reader<TriangleMesh, EdgeIsSeamMap, HalfedgeUVMap, NamedParameters> Reader;
   typedef typename boost::property_traits<HalfedgeUVMap>::value_type Point;
-  typedef Mesh_report<TriangleMesh, Atlas_report> Report;
+  typedef Mesh_atlas_report<TriangleMesh> Report;
+  typedef typename Report::Part_elements Part_elements;
   static constexpr bool has_seams = !std::is_same<EdgeIsSeamMap, std::nullptr_t>::value;
   static constexpr bool has_charts = !std::is_same<FaceChartMap, std::nullptr_t>::value;
 
@@ -56,7 +59,7 @@ public:
   {
     typename Report::Skipped part; // with a diagnosis if it is skipped
     bool is_read;
-    face_descriptor face; // that is wrong, or the first one
+    Part_elements elements; // if it is skipped
   };
 
   Mesh_in_atlas(const TriangleMesh& mesh, EdgeIsSeamMap seams, HalfedgeUVMap uv, FaceChartMap charts,
@@ -90,16 +93,24 @@ public:
   {
     std::vector<Listed_part> parts;
     for(const auto& bad : input.components.bad_components())
-      if(m_without_area.charts().count(bad.face) == 0)
-        parts.push_back({{0, bad.first_face, bad.number_of_faces, bad.status, bad.message}, false, bad.face});
+      if(m_without_area.charts().count(bad.faces.front()) == 0)
+        parts.push_back({skipped(bad.first_face, bad.number_of_faces, bad.status, bad.message),
+                         false,
+                         {bad.faces, bad.vertices}});
     for(std::size_t i = 0; i < m_atlas.size(); ++i) {
       const Surface_part& part = input.surface.parts()[i];
-      parts.push_back({{0, input.components.rank(input.surface.face_of(part.first_triangle)),
-                        static_cast<std::size_t>(part.chart.number_of_triangles()), m_atlas[i].status,
-                        m_atlas[i].message},
-                       true,
-                       input.surface.face_of(part.first_triangle)});
+      const auto triangles = static_cast<std::size_t>(part.chart.number_of_triangles());
+      parts.push_back({skipped(input.components.rank(input.surface.face_of(part.first_triangle)), triangles,
+                               m_atlas[i].status, m_atlas[i].message),
+                       true, elements(part, m_atlas[i])});
     }
+    Vertex_numbers<TriangleMesh> position; // takes time that few meshes need
+    for(Listed_part& listed : parts)
+      for(const auto& v : listed.elements.vertices) {
+        if(!position)
+          position = vertex_positions(m_mesh);
+        listed.part.vertices.push_back(static_cast<std::size_t>(position(v)));
+      }
     std::sort(parts.begin(), parts.end(), [](const Listed_part& p, const Listed_part& q) {
       return p.part.first_face < q.part.first_face;
     });
@@ -173,6 +184,34 @@ public:
   Reader input;
 
 private:
+  static typename Report::Skipped skipped(std::size_t first_face, std::size_t faces, Diagnosis status,
+                                          const std::string& message)
+  {
+    typename Report::Skipped part;
+    part.first_face = first_face;
+    part.number_of_faces = faces;
+    part.status = status;
+    part.message = message;
+    return part;
+  }
+
+  // Of a part that has no charts although it was read; nothing for others
+  Part_elements elements(const Surface_part& part, const Part_atlas& atlas) const
+  {
+    Part_elements result;
+    if(atlas.succeeded())
+      return result;
+    for(int t = 0; t < part.chart.number_of_triangles(); ++t)
+      result.faces.push_back(input.surface.face_of(part.first_triangle + t));
+    std::sort(result.faces.begin(), result.faces.end(), [this](face_descriptor f, face_descriptor g) {
+      return input.components.rank(f) < input.components.rank(g);
+    });
+    if(atlas.wrong_corner >= 0)
+      result.vertices.push_back(
+          target(input.surface.halfedge_to(3 * part.first_triangle + atlas.wrong_corner), m_mesh));
+    return result;
+  }
+
   bool is_seam(const Surface_part& part, const Part_atlas& atlas, int c) const
   {
     if(atlas.chart.opposite[c] >= 0)

@@ -28,6 +28,7 @@
 #include <CGAL/Texture_atlas/internal/polygons/round_to_floats.h>
 #include <CGAL/Texture_atlas/internal/packing/packing.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 #include <CGAL/Bbox_2.h>
@@ -187,8 +188,8 @@ private:
     const Part_atlas& part = m_atlas.parts[i];
     const int piece = number - static_cast<int>(m_atlas.first_chart[i]);
     const auto t = std::find(part.piece.begin(), part.piece.end(), piece) - part.piece.begin();
-    return "chart " + std::to_string(number) + ", with the vertex at " +
-           position_text(part.chart, part.chart.vertex[3 * t]) + ",";
+    return "chart " + std::to_string(number) + ", with " + vertex_text(part.chart, part.chart.vertex[3 * t]) +
+           ",";
   }
 
   void fail(Diagnosis diagnosis, const std::string& message)

@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Texture_atlas/internal/atlas/mesh_components.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
@@ -48,7 +49,7 @@ class Atlas_mesh_reader
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
-  typedef Mesh_report<TriangleMesh, Atlas_report> Report;
+  typedef Mesh_atlas_report<TriangleMesh> Report;
   typedef Mesh_report<TriangleMesh, Seam_report> Reading;
   static constexpr bool has_seams = !std::is_same<EdgeIsSeamMap, std::nullptr_t>::value;
   static constexpr bool has_polygons =
@@ -62,18 +63,25 @@ public:
                     const NamedParameters& np)
       : points(parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
                                             get_const_property_map(CGAL::vertex_point, mesh))),
-        surface(mesh, points), components(mesh, points), m_mesh(mesh), m_seams(seams), m_uv(uv),
+        surface(mesh, points, given_numbers<TriangleMesh>(np)),
+        components(mesh, points, vertex_numbers(mesh, np)), m_mesh(mesh), m_seams(seams), m_uv(uv),
         m_keeps_charts(keeps_charts && has_readable_uv), m_np(np)
   {
     if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::face_index_t>::value)
       components.set_numbers([numbers = parameters::get_parameter(np, internal_np::face_index)](
-                                 face_descriptor f) -> std::size_t { return get(numbers, f); });
+                                 face_descriptor f) { return static_cast<std::ptrdiff_t>(get(numbers, f)); });
   }
 
   // Reads the faces that can be flattened. Returns whether there are not too many.
   bool read_faces(Report& report)
   {
-    components.find([this](edge_descriptor e) { return is_given_seam(e); });
+    components.find([this](edge_descriptor e) { return is_given_seam(e); },
+                    [this]([[maybe_unused]] edge_descriptor e) {
+                      if constexpr(has_polygons)
+                        return is_in_polygon(e);
+                      else
+                        return false;
+                    });
     if(components.are_all_bad())
       return true;
     Reading reading;
@@ -173,8 +181,8 @@ private:
           if(!(weight.back() >= 0 && CGAL::is_finite(weight.back()))) {
             report.status = Diagnosis::WRONG_WEIGHT;
             report.offending_faces = {f};
-            report.message = "face " + std::to_string(components.rank(f)) + " has the weight " +
-                             std::to_string(weight.back()) + ", and weights must be finite and not negative";
+            report.message = components.face_name(f) + " has the weight " + std::to_string(weight.back()) +
+                             ", and weights must be finite and not negative";
             return false;
           }
         }

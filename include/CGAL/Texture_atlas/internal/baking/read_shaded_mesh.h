@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Texture_atlas/internal/baking/shaded_surfaces.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -24,7 +25,6 @@
 #include <CGAL/number_utils.h>
 
 #include <cstddef>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -65,10 +65,7 @@ public:
 
   std::string face_text(face_descriptor f) const
   {
-    std::string text = "the face with the vertices at ";
-    for(int k = 0; k < 3; ++k)
-      text += (k > 0 ? ", " : "") + point_text(target(halfedge_to(f, k), m_mesh));
-    return text;
+    return internal::face_text(f, m_mesh, m_points, vertex_numbers(m_mesh, m_np));
   }
 
   // Reads the faces with `is_read(f)`. A point that is not finite is not looked for.
@@ -91,14 +88,6 @@ public:
     return read_normals(surface, report);
   }
 
-  std::string point_text(vertex_descriptor v) const
-  {
-    const Space_vector p = vector_of(get(m_points, v));
-    std::ostringstream text;
-    text << '(' << p.x() << ", " << p.y() << ", " << p.z() << ')';
-    return text.str();
-  }
-
   bool fail_at(face_descriptor f, Report& report, Diagnosis diagnosis, const std::string& message) const
   {
     report.offending_faces = {f};
@@ -108,7 +97,7 @@ public:
   bool fail_at(vertex_descriptor v, Report& report, Diagnosis diagnosis, const std::string& message) const
   {
     report.offending_vertices = {v};
-    return fail(report, diagnosis, "the vertex at " + point_text(v) + message);
+    return fail(report, diagnosis, vertex_text(vertex_numbers(m_mesh, m_np)(v), get(m_points, v)) + message);
   }
 
   static bool fail(Report& report, Diagnosis diagnosis, const std::string& message)

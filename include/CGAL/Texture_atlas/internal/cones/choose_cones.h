@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/linear_algebra/linear_solvers.h>
 #include <CGAL/Texture_atlas/Cone_selection.h>
 #include <CGAL/Texture_atlas/internal/options/wrong_option.h>
@@ -124,15 +125,17 @@ Cone_selection<TriangleMesh> select_cones_of_mesh(const TriangleMesh& mesh, std:
     return fail(Diagnosis::WRONG_OPTION, message);
 
   Surface_reader<TriangleMesh, Vertex_point_map, Selection> reader(
-      mesh, choose_parameter(get_parameter(np, internal_np::vertex_point),
-                             get_const_property_map(CGAL::vertex_point, mesh)));
+      mesh,
+      choose_parameter(get_parameter(np, internal_np::vertex_point),
+                       get_const_property_map(CGAL::vertex_point, mesh)),
+      given_numbers<TriangleMesh>(np));
   if(!reader.read([](const auto&) { return false; }, selection))
     return selection;
   if(reader.parts().size() > 1) {
     const Surface_part& second = reader.parts()[1];
     selection.offending_faces = {reader.face_of(second.first_triangle)};
     return fail(Diagnosis::SEVERAL_COMPONENTS, "the surface is not connected: the face at " +
-                                                   position_text(second.chart, second.chart.vertex.front()) +
+                                                   vertex_text(second.chart, second.chart.vertex.front()) +
                                                    " belongs to a second component");
   }
   const Chart& surface = reader.parts().front().chart;
@@ -140,8 +143,7 @@ Cone_selection<TriangleMesh> select_cones_of_mesh(const TriangleMesh& mesh, std:
   if(const int pinched = find_pinched_vertex(surface, vertices); pinched >= 0) {
     selection.offending_vertices = {vertices[pinched]};
     return fail(Diagnosis::NON_MANIFOLD_VERTEX,
-                "the vertex at " + position_text(surface, pinched) +
-                    " is surrounded by faces, and also belongs to other faces");
+                vertex_text(surface, pinched) + " is surrounded by faces, and also belongs to other faces");
   }
   if(options.angle_multiple > 0 && !is_sphere_or_disk(surface))
     return fail(Diagnosis::WRONG_TOPOLOGY,

@@ -14,6 +14,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Texture_atlas/internal/cones/choose_cones.h>
 #include <CGAL/Texture_atlas/internal/cones/cone_charges.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
@@ -182,9 +183,8 @@ private:
       if(result.angles[i] > 0 && result.angles[i] < triangles * pi)
         continue;
       if(result.offending_vertices.empty())
-        message << "the cone at " << position_text(m_surface, v) << " would have the angle "
-                << result.angles[i] << ", which must be above 0 and below " << triangles
-                << " pi: try another number of cones";
+        message << "the cone at " << vertex_text(m_surface, v) << " would have the angle " << result.angles[i]
+                << ", which must be above 0 and below " << triangles << " pi: try another number of cones";
       result.offending_vertices.push_back(v);
     }
     result.message = message.str();

@@ -25,6 +25,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/stage.h>
 #include <CGAL/Texture_atlas/internal/options/wrong_option.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/flatten_chart.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
@@ -60,8 +61,10 @@ public:
                  const Cone_options& options, const NamedParameters& np)
       : m_mesh(mesh), m_seams(seams), m_uvmap(uvmap), m_cone_options(options),
         m_options(options.parameterizer), m_np(np), m_marks(get(CGAL::dynamic_edge_property_t<bool>(), mesh)),
-        m_reader(mesh, parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                                    get_const_property_map(CGAL::vertex_point, mesh)))
+        m_reader(mesh,
+                 parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                              get_const_property_map(CGAL::vertex_point, mesh)),
+                 given_numbers<TriangleMesh>(np))
   {}
 
   Cone_flattening<TriangleMesh> run(std::size_t number_of_cones)

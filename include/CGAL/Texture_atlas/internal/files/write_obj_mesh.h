@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/certificate/planar_map.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Texture_atlas/internal/files/read_obj_soup.h>
 #include <CGAL/Texture_atlas/internal/files/text_lines.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
@@ -187,12 +188,12 @@ private:
   {
     std::size_t number = 0;
     for(const auto v : vertices(m_mesh)) {
-      const std::string name = "vertex " + std::to_string(number);
+      const auto name = [&] { return vertex_text(static_cast<std::ptrdiff_t>(number), get(points(), v)); };
       if(!are_finite(numbers(get(points(), v))))
-        return obj_failure(Diagnosis::NON_FINITE_POINT, name + " has a point that is not finite");
+        return obj_failure(Diagnosis::NON_FINITE_POINT, name() + non_finite_text);
       if constexpr(has_normals)
         if(!are_finite(numbers(get(parameters::get_parameter(m_np, internal_np::vertex_normal_map), v))))
-          return obj_failure(Diagnosis::WRONG_NORMAL, name + " has a normal that is not finite");
+          return obj_failure(Diagnosis::WRONG_NORMAL, name() + " has a normal that is not finite");
       put(m_number, v, number++);
     }
     m_corners.resize(number);

@@ -169,7 +169,7 @@ inline Json atlas_json(const Soup_report& report, const Atlas_options& options, 
   return json;
 }
 
-// Faces are counted from 1. Without names of meshes, there is only one.
+// Faces and vertices are counted from 1. Without names of meshes, there is only one.
 inline Json skipped_json(const std::vector<Atlas_report::Skipped>& parts,
                          const std::vector<std::string>& names_of_meshes = {})
 {
@@ -180,6 +180,7 @@ inline Json skipped_json(const std::vector<Atlas_report::Skipped>& parts,
     }
     json["first_face"] = part.first_face + 1;
     json["faces"] = part.number_of_faces;
+    json["vertices"] = json_array(part.vertices, [](const std::size_t v) { return v + 1; });
     json["diagnosis"] = to_string(part.status);
     json["message"] = part.message;
     return json;

@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Texture_atlas/internal/overlaps/separate_overlaps.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Texture_atlas/internal/seams/apply_seams.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
@@ -50,8 +51,10 @@ class Chart_splitter
 public:
   Chart_splitter(const TriangleMesh& mesh, EdgeIsSeamMap seams, UVMap uv, const NamedParameters& np)
       : m_mesh(mesh), m_seams(seams), m_uv(mesh, uv), m_np(np),
-        m_reader(mesh, parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                                    get_const_property_map(CGAL::vertex_point, mesh)))
+        m_reader(mesh,
+                 parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                              get_const_property_map(CGAL::vertex_point, mesh)),
+                 given_numbers<TriangleMesh>(np))
   {}
 
   template <typename FaceChartMap>
@@ -92,15 +95,14 @@ private:
       if(!is_finite_point(p)) {
         report.offending_vertices = {m_reader.vertex_of(part, v)};
         m_reader.fail(report, Diagnosis::NON_FINITE_COORDINATE,
-                      "the vertex at " + position_text(chart, v) +
+                      vertex_text(chart, v) +
                           " has coordinates in the plane that are not all finite numbers");
         return false;
       }
       if(is_read[v] && uv[v] != p) {
         report.offending_vertices = {m_reader.vertex_of(part, v)};
         m_reader.fail(report, Diagnosis::INCONSISTENT_COORDINATES,
-                      "the vertex at " + position_text(chart, v) +
-                          " has different coordinates at faces that no seam separates");
+                      vertex_text(chart, v) + " has different coordinates at faces that no seam separates");
         return false;
       }
       uv[v] = p;
@@ -114,9 +116,9 @@ private:
     const Chart& chart = part.chart;
     const int c = 3 * separation.triangle;
     report.offending_faces = {m_reader.face_of(part.first_triangle + separation.triangle)};
-    const std::string face = "the face with the vertices at " + position_text(chart, chart.vertex[c]) + ", " +
-                             position_text(chart, chart.vertex[c + 1]) + " and " +
-                             position_text(chart, chart.vertex[c + 2]);
+    const std::string face = "the face of " + vertex_text(chart, chart.vertex[c]) + ", " +
+                             vertex_text(chart, chart.vertex[c + 1]) + " and " +
+                             vertex_text(chart, chart.vertex[c + 2]);
     if(separation.status == Separation::FLIPPED)
       m_reader.fail(report, Diagnosis::FLIPPED_TRIANGLES, face + " is not positively oriented in the plane");
     else if(separation.status == Separation::NO_CUT)

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Texture_atlas/internal/packing/pack.h>
 #include <CGAL/Texture_atlas/internal/packing/packing.h>
@@ -98,16 +99,7 @@ private:
 
   std::string face_text(face_descriptor f) const
   {
-    std::ostringstream text;
-    text << "the face with the vertices at ";
-    const char* separator = "";
-    for(const halfedge_descriptor h : halfedges_of(f)) {
-      const auto& p = get(m_points, target(h, m_mesh));
-      text << separator << '(' << CGAL::to_double(p.x()) << ", " << CGAL::to_double(p.y()) << ", "
-           << CGAL::to_double(p.z()) << ')';
-      separator = ", ";
-    }
-    return text.str();
+    return internal::face_text(f, m_mesh, m_points, vertex_numbers(m_mesh, m_np));
   }
 
   // Charts get numbers from 0 on, in the order of their own numbers.
@@ -153,8 +145,14 @@ private:
     for(const face_descriptor f : m_faces) {
       for(const halfedge_descriptor h : halfedges_of(f))
         for(const double x : coordinates(h)) {
-          if(!std::isfinite(x))
-            return fail_at(f, Diagnosis::NON_FINITE_POINT, " has a point that is not finite");
+          if(!std::isfinite(x)) {
+            m_report.offending_vertices = {target(h, m_mesh)};
+            m_report.offending_faces = {f};
+            return fail(Diagnosis::NON_FINITE_POINT,
+                        vertex_text(vertex_numbers(m_mesh, m_np)(target(h, m_mesh)),
+                                    get(m_points, target(h, m_mesh))) +
+                            non_finite_text);
+          }
           largest_coordinate = (std::max)(largest_coordinate, std::abs(x));
         }
       const double w = weight(f);

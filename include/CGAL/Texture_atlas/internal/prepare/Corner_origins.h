@@ -128,7 +128,20 @@ inline void add_origins_of_diagonals(const Mesh& mesh, Corner_origins& origins)
   }
 }
 
-using Report_on_atlas = Surface_mesh_parameterization::Mesh_report<Mesh, Atlas_report>;
+using Report_on_atlas = Mesh_atlas_report<Mesh>;
+
+// The numbers of the points and polygons of a soup that vertices and faces are, in messages: from 1
+struct Soup_numbers
+{
+  Mesh::Property_map<Vertex, std::size_t> points;
+  Mesh::Property_map<Face, std::size_t> polygons;
+};
+
+inline Soup_numbers soup_numbers(Mesh& mesh)
+{
+  return {mesh.add_property_map<Vertex, std::size_t>("v:flatten_mesh_number", 0).first,
+          mesh.add_property_map<Face, std::size_t>("f:flatten_mesh_number", 0).first};
+}
 
 // The charts of a mesh, as properties of it
 struct Atlas

@@ -76,6 +76,18 @@ inline Index point_of_corner(const Given_surface& given, const Halfedge h)
   return given.soup.vertices[given.surface.origins.corners[h.idx() - given.first_halfedge]];
 }
 
+// Sets the numbers of all vertices with faces, and of all faces.
+inline void number_as_in_soups(const std::vector<Given_surface>& given, Mesh& mesh)
+{
+  const Soup_numbers numbers = soup_numbers(mesh);
+  for(const Face f : mesh.faces()) {
+    numbers.polygons[f] = polygon_of_face(given, f) + 1;
+    for(const Halfedge h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+      numbers.points[mesh.target(h)] = point_of_corner(given[surface_of_face(given, f)], h) + std::size_t(1);
+    }
+  }
+}
+
 // The part of the common atlas that belongs to a surface, as properties of its own mesh
 inline Atlas atlas_of_surface(const Atlas& whole, const Given_surface& given)
 {

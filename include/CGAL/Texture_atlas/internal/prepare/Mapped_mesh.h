@@ -31,7 +31,9 @@ struct Mapped_mesh
   Mesh::Property_map<Halfedge, Kernel::Point_2> uv;
   Mesh::Property_map<Face, int> charts;
   Mesh::Property_map<Face, double> sizes;
-  Mesh::Property_map<Face, std::size_t> polygons, numbers; // the latter are for messages
+  Mesh::Property_map<Face, std::size_t> polygons;
+  Mesh::Property_map<Face, std::ptrdiff_t> face_numbers;     // in messages
+  Mesh::Property_map<Vertex, std::ptrdiff_t> vertex_numbers; // the same
 
   CGAL_ANGLE_BASED_FLATTENING_INLINE Mapped_mesh();
   CGAL_ANGLE_BASED_FLATTENING_INLINE ~Mapped_mesh();

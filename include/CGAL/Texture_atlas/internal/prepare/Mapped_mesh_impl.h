@@ -31,7 +31,8 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE void Mapped_mesh::add_maps()
   weights = mesh.add_property_map<Edge, double>("e:weight", 0).first;
   sizes = mesh.add_property_map<Face, double>("f:size", 1).first;
   polygons = mesh.add_property_map<Face, std::size_t>("f:polygon", 0).first;
-  numbers = mesh.add_property_map<Face, std::size_t>("f:number", 0).first;
+  face_numbers = mesh.add_property_map<Face, std::ptrdiff_t>("f:number", 0).first;
+  vertex_numbers = mesh.add_property_map<Vertex, std::ptrdiff_t>("v:number", 0).first;
 }
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE Report_on_atlas
@@ -43,7 +44,8 @@ make_atlas_of_mapped_meshes(const std::vector<Mapped_mesh*>& meshes, const Atlas
         .edge_is_constrained_map(mesh.is_constrained)
         .face_size_map(mesh.sizes)
         .face_patch_map(mesh.polygons)
-        .face_index_map(mesh.numbers);
+        .face_index_map(mesh.face_numbers)
+        .vertex_index_map(mesh.vertex_numbers);
   };
   typedef decltype(parameters_of(*meshes.front())) Parameters;
   std::deque<Parameters> np;

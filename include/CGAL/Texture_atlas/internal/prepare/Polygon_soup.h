@@ -8,7 +8,9 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Texture_atlas/Atlas_report.h>
+#include <CGAL/Texture_atlas/internal/parameterization_names.h>
 #include <CGAL/Texture_atlas/internal/prepare/Input_error.h>
 #include <CGAL/Texture_atlas/Surface_soup.h>
 
@@ -95,6 +97,12 @@ struct Polygon_soup
 inline bool is_finite(const Kernel::Point_3& point)
 {
   return std::isfinite(point.x()) && std::isfinite(point.y()) && std::isfinite(point.z());
+}
+
+// With its point, counted from 1
+inline std::string vertex_name(const Polygon_soup& soup, const std::size_t v)
+{
+  return vertex_text(static_cast<std::ptrdiff_t>(v) + 1, soup.points[v]);
 }
 
 inline bool has_repeated_vertex(Polygon polygon)

@@ -44,10 +44,10 @@ namespace CGAL::Texture_atlas::internal::prepare {
     const Halfedge to = mesh.halfedge(previous, v), from = mesh.halfedge(v, next);
     const bool is_complete = !mesh.is_isolated(v) && !mesh.is_border(v);
     if(is_complete || (to.is_valid() && from.is_valid() && mesh.next(to) != from)) {
-      refuse_vertex(v);
+      refuse_vertex(soup, v);
     }
   }
-  refuse_vertex(polygon[0]);
+  refuse_vertex(soup, polygon[0]);
 }
 
 // Takes memory for about as many edges as Euler's formula tells.
@@ -92,7 +92,7 @@ inline Mesh build_polygon_mesh(const Polygon_soup& soup)
   std::vector<Halfedge> at_pinched_vertices;
   CGAL::Polygon_mesh_processing::non_manifold_vertices(mesh, std::back_inserter(at_pinched_vertices));
   if(!at_pinched_vertices.empty()) {
-    refuse_vertex(mesh.target(at_pinched_vertices.front()));
+    refuse_vertex(soup, mesh.target(at_pinched_vertices.front()));
   }
   return mesh;
 }

@@ -8,6 +8,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Texture_atlas/internal/prepare/Input_error.h>
 #include <CGAL/Texture_atlas/internal/prepare/Polygon_soup.h>
 
@@ -186,15 +187,15 @@ struct Not_a_mesh : public Input_error
   using Input_error::Input_error;
 };
 
-inline std::string edge_name(const std::size_t v, const std::size_t w)
+inline std::string edge_name(const Polygon_soup& soup, const std::size_t v, const std::size_t w)
 {
-  return "the edge between vertices " + std::to_string((std::min)(v, w) + 1) + " and " +
-         std::to_string((std::max)(v, w) + 1);
+  return "the edge between " + vertex_name(soup, (std::min)(v, w)) + " and " +
+         vertex_name(soup, (std::max)(v, w));
 }
 
-[[noreturn]] inline void refuse_vertex(const std::size_t v)
+[[noreturn]] inline void refuse_vertex(const Polygon_soup& soup, const std::size_t v)
 {
-  throw Not_a_mesh("at " + vertex_name(v) +
+  throw Not_a_mesh("at " + vertex_name(soup, v) +
                        " parts of the surface touch at one vertex, so it is not a manifold; give each part "
                        "its own vertex",
                    {}, {v});
@@ -216,14 +217,14 @@ inline void check_edge(const Polygon_soup& soup, const std::size_t p, const std:
     }
   }
   if(count > 2) {
-    throw Not_a_mesh(edge_name(v, w) + " has " + std::to_string(count) +
+    throw Not_a_mesh(edge_name(soup, v, w) + " has " + std::to_string(count) +
                          " faces, so the surface is not a manifold; remove or separate the surplus ones",
                      {}, {v, w});
   }
   if(other != p) {
     throw Not_a_mesh("faces " + std::to_string((std::min)(p, other) + 1) + " and " +
                          std::to_string((std::max)(p, other) + 1) +
-                         " are oriented differently: both run along " + edge_name(v, w) +
+                         " are oriented differently: both run along " + edge_name(soup, v, w) +
                          " in the same direction; orient all faces alike",
                      {p, other}, {v, w});
   }
@@ -240,8 +241,9 @@ inline void check_polygon(const Polygon_soup& soup, const std::size_t p)
   std::sort(sorted.begin(), sorted.end());
   const Polygon::const_iterator twice = std::adjacent_find(sorted.begin(), sorted.end());
   if(twice != sorted.end()) {
-    throw Input_error(face_name(p) + " names " + vertex_name(*twice) + " twice; remove degenerate faces", {p},
-                      {*twice});
+    throw Input_error(face_name(p) + " names " + vertex_name(soup, *twice) +
+                          " twice; remove degenerate faces",
+                      {p}, {*twice});
   }
 }
 
@@ -250,9 +252,7 @@ inline void check_points(const Polygon_soup& soup)
   for(std::size_t v = 0; v < soup.points.size(); ++v) {
     const Kernel::Point_3& point = soup.points[v];
     if(!std::isfinite(point.x()) || !std::isfinite(point.y()) || !std::isfinite(point.z())) {
-      throw Input_error(vertex_name(v) +
-                            " has a coordinate that is not a finite number; remove it or repair the scan",
-                        {}, {v});
+      throw Input_error(vertex_name(soup, v) + non_finite_text + "; remove it or repair the scan", {}, {v});
     }
   }
 }

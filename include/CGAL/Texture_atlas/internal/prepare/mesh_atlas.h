@@ -10,6 +10,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
 #include <CGAL/Texture_atlas/Atlas_options.h>
 #include <CGAL/Texture_atlas/Atlas_report.h>
@@ -31,7 +32,7 @@
 #include <cstddef>
 #include <deque>
 #include <iterator>
-#include <set>
+#include <map>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -51,7 +52,8 @@ class Triangulated_copy : public Mapped_mesh
 
 public:
   template <typename NamedParameters>
-  Triangulated_copy(const PolygonMesh& given, const NamedParameters& np) : m_given(given)
+  Triangulated_copy(const PolygonMesh& given, const NamedParameters& np)
+      : m_given(given), m_position(vertex_positions(given))
   {
     std::vector<std::pair<vertex_descriptor, Vertex>> vertices;
     std::vector<std::pair<halfedge_descriptor, Halfedge>> halfedges;
@@ -74,7 +76,8 @@ public:
     divide_polygons(surface);
     add_maps();
     for(const Face f : mesh.faces())
-      numbers[f] = polygon_of_halfedge[surface.origins.corners[mesh.halfedge(f).idx()]];
+      m_polygons.push_back(polygon_of_halfedge[surface.origins.corners[mesh.halfedge(f).idx()]]);
+    read_numbers(np);
     read_parameters(np);
   }
 
@@ -121,15 +124,24 @@ public:
       given.offending_faces.push_back(given_face(f));
   }
 
-  // Counts faces of the given mesh instead of triangles.
-  template <typename Skipped>
-  void translate_part(Skipped& part) const
+  // Counts faces of the given mesh instead of triangles, and its vertices. Returns their descriptors.
+  typename Mesh_atlas_report<PolygonMesh>::Part_elements
+  translate_part(const Report_on_atlas::Part_elements& elements, Atlas_report::Skipped& part) const
   {
-    const Face first(static_cast<Mesh::size_type>(part.first_face));
-    const std::set<std::size_t> faces =
-        polygons_of_part(mesh, seams, charts, first, [this](const Face f) { return numbers[f]; });
-    part.first_face = *faces.begin();
+    std::map<std::size_t, face_descriptor> faces; // by their positions
+    for(const Face f : elements.faces)
+      faces.emplace(m_polygons[f.idx()], given_face(f));
+    part.first_face = faces.begin()->first;
     part.number_of_faces = faces.size();
+    typename Mesh_atlas_report<PolygonMesh>::Part_elements given;
+    for(const auto& [position, f] : faces)
+      given.faces.push_back(f);
+    part.vertices.clear();
+    for(const Vertex v : elements.vertices) {
+      given.vertices.push_back(m_vertices[v.idx()]);
+      part.vertices.push_back(static_cast<std::size_t>(m_position(given.vertices.back())));
+    }
+    return given;
   }
 
 private:
@@ -140,6 +152,22 @@ private:
   edge_descriptor given_edge(const Edge e) const { return edge(m_halfedges[2 * e.idx()], m_given); }
   face_descriptor given_face(const Face f) const { return face(given_halfedge(mesh.halfedge(f)), m_given); }
   bool is_diagonal(const Edge e) const { return e.idx() >= m_halfedges.size() / 2; }
+
+  // For messages
+  template <typename NamedParameters>
+  void read_numbers(const NamedParameters& np)
+  {
+    const Vertex_numbers<PolygonMesh> given_number = given_numbers<PolygonMesh>(np),
+                                      number = given_number ? given_number : m_position;
+    for(const Vertex v : mesh.vertices())
+      vertex_numbers[v] = number(m_vertices[v.idx()]);
+    for(const Face f : mesh.faces())
+      if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::face_index_t>::value)
+        face_numbers[f] = static_cast<std::ptrdiff_t>(m_polygons[f.idx()]);
+      else
+        face_numbers[f] = static_cast<std::ptrdiff_t>(
+            get(parameters::get_parameter(np, internal_np::face_index), given_face(f)));
+  }
 
   template <typename NamedParameters>
   void read_parameters(const NamedParameters& np)
@@ -163,18 +191,20 @@ private:
       for(const Edge e : mesh.edges()) {
         const Face f = mesh.face(mesh.halfedge(e, 0)), g = mesh.face(mesh.halfedge(e, 1));
         if(!mesh.is_border(e) && get(patches, given_face(f)) == get(patches, given_face(g)))
-          sets.union_set(numbers[f], numbers[g]);
+          sets.union_set(m_polygons[f.idx()], m_polygons[g.idx()]);
       }
     }
     for(const Face f : mesh.faces()) {
-      polygons[f] = sets.find_set(numbers[f]);
+      polygons[f] = sets.find_set(m_polygons[f.idx()]);
       if constexpr(!is_default_parameter<NamedParameters, internal_np::face_size_map_t>::value)
         sizes[f] = CGAL::to_double(get(get_parameter(np, internal_np::face_size_map), given_face(f)));
     }
   }
 
   const PolygonMesh& m_given;
+  const Vertex_numbers<PolygonMesh> m_position; // in the sequence of vertices
   std::size_t m_number_of_polygons = 0;
+  std::vector<std::size_t> m_polygons;          // of each triangle of the copy: the position of its polygon
   std::vector<vertex_descriptor> m_vertices;    // of each vertex of the copy
   std::vector<halfedge_descriptor> m_halfedges; // of each halfedge of the copy that is no diagonal's
 };
@@ -197,13 +227,13 @@ namespace prepare {
 // One atlas of any meshes, with property maps of each. Polygons are divided in copies.
 template <typename MeshRange, typename SeamMaps, typename UVMaps, typename ChartMaps,
           typename NamedParameters>
-Mesh_report<Element_of<MeshRange>, Atlas_report>
+Mesh_atlas_report<Element_of<MeshRange>>
 make_atlas_of_polygon_meshes(const MeshRange& meshes, const SeamMaps& seams, const UVMaps& uv,
                              const ChartMaps& charts, const Atlas_options& options, const NamedParameters& np)
 {
   typedef Element_of<MeshRange> PolygonMesh;
   typedef typename boost::property_traits<Element_of<UVMaps>>::value_type Point;
-  Mesh_report<PolygonMesh, Atlas_report> report;
+  Mesh_atlas_report<PolygonMesh> report;
   if(options.given_charts != Atlas_options::REPLACE && !is_readable<Element_of<UVMaps>>) {
     report.status = Diagnosis::WRONG_OPTION;
     report.message = unreadable_text;
@@ -221,10 +251,17 @@ make_atlas_of_polygon_meshes(const MeshRange& meshes, const SeamMaps& seams, con
   const Report_on_atlas of_copies =
       make_atlas_of_mapped_meshes(pointers, options, linear_solvers(np), &round_to_points<Point>);
   static_cast<Atlas_report&>(report) = of_copies;
-  for(Atlas_report::Skipped& part : report.skipped)
-    copies[part.mesh].translate_part(part);
+  for(Atlas_report::Skipped& part : report.skipped) {
+    const auto i = static_cast<std::size_t>(&part - report.skipped.data());
+    report.skipped_elements.push_back(copies[part.mesh].translate_part(of_copies.skipped_elements[i], part));
+  }
   if(copies.size() == 1) // elements of several meshes are not named
     copies.front().translate(of_copies, report);
+  if(copies.size() == 1 && !report.skipped.empty()) {
+    report.offending_faces.clear();
+    for(const auto& elements : report.skipped_elements)
+      report.offending_faces.push_back(elements.faces.front());
+  }
   if(report.has_atlas()) {
     seam_map = std::begin(seams);
     uv_map = std::begin(uv);
@@ -240,9 +277,9 @@ make_atlas_of_polygon_meshes(const MeshRange& meshes, const SeamMaps& seams, con
 // One atlas of meshes, with property maps of each
 template <typename MeshRange, typename SeamMaps, typename UVMaps, typename ChartMaps,
           typename NamedParameters>
-Mesh_report<Element_of<MeshRange>, Atlas_report>
-atlas_of_meshes(const MeshRange& meshes, const SeamMaps& seams, const UVMaps& uv, const ChartMaps& charts,
-                Atlas_options options, const NamedParameters& np)
+Mesh_atlas_report<Element_of<MeshRange>> atlas_of_meshes(const MeshRange& meshes, const SeamMaps& seams,
+                                                         const UVMaps& uv, const ChartMaps& charts,
+                                                         Atlas_options options, const NamedParameters& np)
 {
   Check_edge_map<Element_of<MeshRange>, Element_of<SeamMaps>>();
   Check_halfedge_map<Element_of<MeshRange>, Element_of<UVMaps>>();
@@ -267,6 +304,8 @@ atlas_of_meshes(const MeshRange& meshes, const SeamMaps& seams, const UVMaps& uv
 template <typename NamedParameters>
 inline constexpr bool has_maps_of_a_mesh =
     !(parameters::is_default_parameter<NamedParameters, internal_np::vertex_point_t>::value &&
+      parameters::is_default_parameter<NamedParameters, internal_np::vertex_index_t>::value &&
+      parameters::is_default_parameter<NamedParameters, internal_np::face_index_t>::value &&
       parameters::is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value &&
       parameters::is_default_parameter<NamedParameters, internal_np::edge_weight_t>::value &&
       parameters::is_default_parameter<NamedParameters, internal_np::face_size_map_t>::value &&
@@ -274,11 +313,12 @@ inline constexpr bool has_maps_of_a_mesh =
 
 template <typename MeshRange, typename SeamMaps, typename UVMaps, typename ChartMaps,
           typename NamedParameters>
-Atlas_report common_atlas(const MeshRange& meshes, const SeamMaps& seams, const UVMaps& uv,
-                          const ChartMaps& charts, const Atlas_options& options, const NamedParameters& np)
+Mesh_atlas_report<Element_of<MeshRange>> common_atlas(const MeshRange& meshes, const SeamMaps& seams,
+                                                      const UVMaps& uv, const ChartMaps& charts,
+                                                      const Atlas_options& options, const NamedParameters& np)
 {
   static_assert(!has_maps_of_a_mesh<NamedParameters>, "property maps as named parameters belong to one mesh");
-  Atlas_report report;
+  Mesh_atlas_report<Element_of<MeshRange>> report;
   for(const std::size_t maps : {size_of(seams), size_of(uv), size_of(charts)})
     if(maps != size_of(meshes)) {
       report.status = Diagnosis::WRONG_OPTION;
@@ -286,9 +326,7 @@ Atlas_report common_atlas(const MeshRange& meshes, const SeamMaps& seams, const 
                        std::to_string(maps) + " property maps";
       return report;
     }
-  // Coordinates are written when the atlas is made, and a copy of the report could run out of memory.
-  auto result = atlas_of_meshes(meshes, seams, uv, charts, options, np);
-  return std::move(static_cast<Atlas_report&>(result));
+  return atlas_of_meshes(meshes, seams, uv, charts, options, np);
 }
 
 } // namespace CGAL::Texture_atlas::internal

@@ -68,9 +68,10 @@ inline void report_polygons_without_area(const Given_surface& given, const Atlas
 }
 
 // Lists all polygons without chart. The parts of `report` are those of the mesh before.
-inline void report_skipped(const Soup_options& options, std::vector<Given_surface>& given, const Mesh& mesh,
+inline void report_skipped(const Soup_options& options, std::vector<Given_surface>& given, Mesh& mesh,
                            const Atlas& atlas, Soup_report& report, Notes& notes)
 {
+  const Soup_numbers numbers = soup_numbers(mesh);
   std::vector<Skipped_part> skipped;
   for(std::size_t i = 0; i < given.size(); ++i) {
     if(!given[i].surface.origins.has_no_area.empty()) {
@@ -95,6 +96,9 @@ inline void report_skipped(const Soup_options& options, std::vector<Given_surfac
                              return polygon_of_face(given, f);
                            }).size();
     part.mesh = surface_of_face(given, first);
+    for(std::size_t& v : part.vertices) {
+      v = numbers.points[Vertex(static_cast<Mesh::size_type>(v))] - 1;
+    }
     skipped.push_back(std::move(part));
   }
   std::stable_sort(skipped.begin(), skipped.end(), [](const auto& a, const auto& b) {
@@ -112,15 +116,10 @@ inline void report_offending(const std::vector<Given_surface>& given, const Mesh
                           : !faces.empty()        ? surface_of_face(given, faces.front())
                                                   : 0;
   std::set<std::size_t> polygons, points;
-  const Surface_soup& soup = given[report.offending_soup].soup;
   for(const Skipped_part& part : report.skipped) {
     if(part.mesh == report.offending_soup) {
       polygons.insert(part.first_face);
-      for(std::size_t c = 0; part.status == Diagnosis::NON_FINITE_POINT && c < soup.vertices.size(); ++c) {
-        if(!is_finite(soup.points[soup.vertices[c]])) {
-          points.insert(soup.vertices[c]);
-        }
-      }
+      points.insert(part.vertices.begin(), part.vertices.end());
     }
   }
   for(const Face f : faces) {
@@ -181,8 +180,8 @@ inline void tell_of_charts(const Soup_options& options, const Soup_report& repor
 }
 
 // The report on an atlas of surfaces, from the report on their mesh
-inline Soup_report report_on_soups(const Soup_options& options, std::vector<Given_surface>& given,
-                                   const Mesh& mesh, const Atlas& atlas, Report_on_atlas of_mesh,
+inline Soup_report report_on_soups(const Soup_options& options, std::vector<Given_surface>& given, Mesh& mesh,
+                                   const Atlas& atlas, Report_on_atlas of_mesh,
                                    const Soup_report::Seams& seams, Notes& notes)
 {
   Soup_report report;
@@ -191,10 +190,12 @@ inline Soup_report report_on_soups(const Soup_options& options, std::vector<Give
   for(const Given_surface& each : given) {
     report.number_of_ignored += each.surface.left_out;
   }
+  const bool has_no_charts = mesh.is_empty() || (report.charts.empty() && !report.skipped.empty());
   report_skipped(options, given, mesh, atlas, report, notes);
-  if(!report.skipped.empty()) {
-    report.status = report.has_atlas() ? Diagnosis::SOMETHING_SKIPPED : report.status;
-    report.message = report.skipped.front().message;
+  if(!report.skipped.empty() && (report.has_atlas() || has_no_charts)) {
+    const Skipped_part& first = report.skipped.front();
+    report.status = report.has_atlas() ? Diagnosis::SOMETHING_SKIPPED : first.status;
+    report.message = (given.size() > 1 ? given[first.mesh].name + ": " : "") + first.message;
   }
   if(!report) {
     report_offending(given, mesh, of_mesh, report);

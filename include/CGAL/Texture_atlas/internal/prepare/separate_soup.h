@@ -264,7 +264,7 @@ inline void separate_soup(const Surface_soup& model, Polygon_soup& soup, Notes& 
   if(!cut.empty()) {
     const auto& [v, w] = *cut.begin();
     notes.add(begin + "the surface is one-sided, like a Moebius strip: it is cut along " +
-              count_text(cut.size(), "edge") + "; the first is " + edge_name(v, w));
+              count_text(cut.size(), "edge") + "; the first is " + edge_name(soup, v, w));
     std::set<std::size_t> ends;
     for(const auto& edge : cut) {
       ends.insert({edge.first, edge.second});
@@ -275,12 +275,12 @@ inline void separate_soup(const Surface_soup& model, Polygon_soup& soup, Notes& 
   if(!edges.empty()) {
     const auto& [v, w] = *edges.begin();
     notes.add(begin + "more than two faces meet at " + count_text(edges.size(), "edge") +
-              ", for example at " + edge_name(v, w) + ": they are separated there");
+              ", for example at " + edge_name(soup, v, w) + ": they are separated there");
   }
   if(!vertices.empty()) {
     notes.add(begin + "parts of the surface were separated at " +
               count_text(vertices.size(), "vertex", "vertices") + ", for example at " +
-              vertex_name(vertices.front()));
+              vertex_name(soup, vertices.front()));
   }
 }
 

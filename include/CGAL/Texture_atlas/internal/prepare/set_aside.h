@@ -70,11 +70,12 @@ public:
     std::map<Diagnosis, Index> part_of_kind;  // of polygons that are wrong by themselves
     std::map<std::size_t, Index> part_of_set; // of others, by the representative of what hangs together
     for(const auto& [p, defect] : m_defects) {
-      Index& part = is_alone(p) ? part_of_kind.try_emplace(defect.first, no_index).first->second
+      Index& part = is_alone(p) ? part_of_kind.try_emplace(defect.status, no_index).first->second
                                 : part_of_set.try_emplace(m_sets.find_set(p), no_index).first->second;
       if(part == no_index) {
         part = static_cast<Index>(result.size());
-        result.push_back(skipped_part(defect.first, defect.second));
+        result.push_back(skipped_part(defect.status, defect.message));
+        result.back().vertices = defect.vertices;
       }
       if(is_alone(p)) {
         part_of[p] = part;
@@ -87,11 +88,10 @@ public:
       }
     }
     for(const auto& [kind, vertices] : m_wrong_points) {
-      if(const auto part = part_of_kind.find(kind); vertices.size() > 1 && part != part_of_kind.end()) {
+      if(const auto part = part_of_kind.find(kind); part != part_of_kind.end()) {
         result[part->second].message =
-            vertex_name(*vertices.begin()) + " and " + count_text(vertices.size() - 1, "other") +
-            (kind == Diagnosis::FAR_POINT ? std::string(" are ") + far_point_text
-                                          : " have coordinates that are not finite numbers");
+            wrong_points_text(vertex_name(m_soup, *vertices.begin()), vertices.size(), kind);
+        result[part->second].vertices.assign(vertices.begin(), vertices.end());
       }
     }
     return result;
@@ -106,17 +106,25 @@ private:
     std::size_t from, to, polygon;
   };
 
-  void add_defect(const std::size_t p, const Diagnosis diagnosis, const std::string& message)
+  struct Defect
   {
-    m_defects.try_emplace(p, diagnosis, message);
+    Diagnosis status;
+    std::string message;
+    std::vector<std::size_t> vertices; // that the message is about
+  };
+
+  void add_defect(const std::size_t p, const Diagnosis diagnosis, const std::string& message,
+                  const std::vector<std::size_t>& vertices = {})
+  {
+    m_defects.try_emplace(p, Defect{diagnosis, message, vertices});
   }
 
   // Whether the polygon is wrong by itself, so that those around it may remain
   bool is_alone(const std::size_t p) const
   {
     const auto defect = m_defects.find(p);
-    return defect != m_defects.end() && (defect->second.first == Diagnosis::DEGENERATE_FACE ||
-                                         m_wrong_points.count(defect->second.first) > 0);
+    return defect != m_defects.end() && (defect->second.status == Diagnosis::DEGENERATE_FACE ||
+                                         m_wrong_points.count(defect->second.status) > 0);
   }
 
   void inspect_polygon(const std::size_t p)
@@ -124,22 +132,21 @@ private:
     try {
       check_polygon(m_soup, p);
     } catch(const Input_error& error) {
-      add_defect(p, Diagnosis::DEGENERATE_FACE, error.what());
+      add_defect(p, Diagnosis::DEGENERATE_FACE, error.what(), error.vertices);
     }
     for(const std::size_t v : m_soup.polygons[p]) {
       if(!is_finite(m_soup.points[v])) {
-        add_wrong_point(p, v, Diagnosis::NON_FINITE_POINT, " has a coordinate that is not a finite number");
+        add_wrong_point(p, v, Diagnosis::NON_FINITE_POINT);
       } else if(m_is_far[v]) {
-        add_wrong_point(p, v, Diagnosis::FAR_POINT, std::string(" is ") + far_point_text);
+        add_wrong_point(p, v, Diagnosis::FAR_POINT);
       }
     }
   }
 
-  void add_wrong_point(const std::size_t p, const std::size_t v, const Diagnosis kind,
-                       const std::string& text)
+  void add_wrong_point(const std::size_t p, const std::size_t v, const Diagnosis kind)
   {
     m_wrong_points[kind].insert(v);
-    add_defect(p, kind, vertex_name(v) + text);
+    add_defect(p, kind, ""); // said when all are known
   }
 
   // The sides of the polygons with at least three vertices, by their smaller vertex
@@ -208,14 +215,16 @@ private:
     }
     if(count > 2) {
       add_defect(sides[0].polygon, Diagnosis::NON_MANIFOLD_EDGE,
-                 edge_name(sides[0].from, sides[0].to) + " has " + std::to_string(count) +
-                     " faces, so the surface is not a manifold");
+                 edge_name(m_soup, sides[0].from, sides[0].to) + " has " + std::to_string(count) +
+                     " faces, so the surface is not a manifold",
+                 {sides[0].from, sides[0].to});
     } else if(count == 2 && sides[0].from == sides[1].from) {
       add_defect(sides[0].polygon, Diagnosis::INCONSISTENT_ORIENTATION,
                  "faces " + std::to_string(m_soup.origins[sides[0].polygon] + 1) + " and " +
                      std::to_string(m_soup.origins[sides[1].polygon] + 1) +
-                     " are oriented differently: both run along " + edge_name(sides[0].from, sides[0].to) +
-                     " in the same direction");
+                     " are oriented differently: both run along " +
+                     edge_name(m_soup, sides[0].from, sides[0].to) + " in the same direction",
+                 {sides[0].from, sides[0].to});
     }
   }
 
@@ -224,7 +233,7 @@ private:
   const std::vector<bool>& m_is_far;                         // of each point
   std::map<Diagnosis, std::set<std::size_t>> m_wrong_points; // of each diagnosis
   CGAL::Surface_mesh_parameterization::internal::ABF::Disjoint_sets m_sets;
-  std::map<std::size_t, std::pair<Diagnosis, std::string>> m_defects; // of polygons, with a sentence
+  std::map<std::size_t, Defect> m_defects; // of polygons
 };
 
 // Removes the polygons that cannot be part of a surface, with all that hangs together with them by edges, and says

@@ -58,7 +58,11 @@ inline Report_on_atlas call_make_atlas(const Soup_settings& options, Mesh& mesh,
       boost::make_function_property_map<Edge>([is_diagonal](const Edge e) { return !is_diagonal[e]; });
   auto polygon = mesh.add_property_map<Face, std::size_t>().first;
   Polygon_mesh_processing::connected_components(mesh, polygon, np::edge_is_constrained_map(is_side));
-  const auto make = [&](const auto& parameters) -> Report_on_atlas {
+  const Soup_numbers numbers = soup_numbers(mesh);
+  const auto make = [&](const auto& first_parameters) -> Report_on_atlas {
+    const auto parameters = first_parameters.edge_is_constrained_map(is_diagonal)
+                                .vertex_index_map(numbers.points)
+                                .face_index_map(numbers.polygons);
     Mesh_atlas_builder<Mesh, Edge_marks, decltype(atlas.uv), decltype(atlas.chart),
                        std::decay_t<decltype(parameters)>>
         builder(options, options.solvers);
@@ -68,10 +72,10 @@ inline Report_on_atlas call_make_atlas(const Soup_settings& options, Mesh& mesh,
   Report_on_atlas report;
   if(has_weights(way)) {
     auto weight = edge_weights(mesh);
-    report = make(np::edge_weight_map(weight).edge_is_constrained_map(is_diagonal).face_patch_map(polygon));
+    report = make(np::edge_weight_map(weight).face_patch_map(polygon));
     mesh.remove_property_map(weight);
   } else {
-    report = make(np::edge_is_constrained_map(is_diagonal).face_patch_map(polygon));
+    report = make(np::face_patch_map(polygon));
   }
   mesh.remove_property_map(polygon);
   return report;
@@ -178,6 +182,13 @@ inline Report_on_atlas make_atlas_of_component(const Soup_settings& options, Mes
     atlas_of_part.seams[e] = atlas.seams[component.part.edge_origins[e.idx()]];
     is_diagonal_of_part[e] = is_diagonal[component.part.edge_origins[e.idx()]];
   }
+  const Soup_numbers numbers = soup_numbers(mesh), numbers_in_part = soup_numbers(part);
+  for(const Vertex v : part.vertices()) {
+    numbers_in_part.points[v] = numbers.points[component.part.origins[v.idx()]];
+  }
+  for(const Face f : part.faces()) {
+    numbers_in_part.polygons[f] = numbers.polygons[component.faces[f.idx()]];
+  }
   prepare_edges_of(options, part, atlas_of_part.seams, way);
   Report_on_atlas report = make_charts(options, part, atlas_of_part, way);
   for(const Edge e : part.edges()) {
@@ -192,13 +203,21 @@ inline Report_on_atlas make_atlas_of_component(const Soup_settings& options, Mes
   }
   for(Atlas_report::Skipped& skipped : report.skipped) {
     skipped.first_face = component.faces[skipped.first_face].idx();
+    for(std::size_t& v : skipped.vertices) {
+      v = component.part.origins[v].idx();
+    }
   }
-  for(Face& f : report.offending_faces) {
-    f = component.faces[f.idx()];
+  const auto face_of_mesh = [&component](const Face f) { return component.faces[f.idx()]; };
+  const auto vertex_of_mesh = [&component](const Vertex v) { return component.part.origins[v.idx()]; };
+  const auto translate = [](auto& elements, const auto& element_of_mesh) {
+    std::transform(elements.begin(), elements.end(), elements.begin(), element_of_mesh);
+  };
+  for(Report_on_atlas::Part_elements& elements : report.skipped_elements) {
+    translate(elements.faces, face_of_mesh);
+    translate(elements.vertices, vertex_of_mesh);
   }
-  for(Vertex& v : report.offending_vertices) {
-    v = component.part.origins[v.idx()];
-  }
+  translate(report.offending_faces, face_of_mesh);
+  translate(report.offending_vertices, vertex_of_mesh);
   for(Edge& e : report.offending_edges) {
     e = component.part.edge_origins[e.idx()];
   }
@@ -279,9 +298,10 @@ inline Soup_report make_atlas_of_surfaces(const Soup_settings& options, std::vec
   Soup_report::Seams seams;
   std::size_t components = 0;
   if(mesh.is_empty()) {
-    of_mesh.status = Diagnosis::NOTHING_FLATTENED;
-    of_mesh.message = "no part of the surface can be flattened";
+    of_mesh.status = Diagnosis::EMPTY_MESH;
+    of_mesh.message = "no face is left to be flattened";
   } else {
+    number_as_in_soups(given, mesh);
     components = components_by_size(mesh).size();
     if(options.component && *options.component >= components) {
       throw Input_error("component is " + std::to_string(*options.component) + ", and there are only " +

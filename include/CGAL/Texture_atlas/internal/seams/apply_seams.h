@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/deadline.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 #include <CGAL/Texture_atlas/internal/seams/find_seams.h>
@@ -98,16 +99,13 @@ bool can_reach_terminals(const TriangleMesh& mesh, const NamedParameters& np,
   if constexpr(!parameters::is_default_parameter<NamedParameters,
                                                  internal_np::vertex_is_constrained_t>::value) {
     const auto is_terminal = terminal_map<TriangleMesh>(np);
-    std::size_t rank = 0;
-    for(const auto v : vertices(mesh)) {
+    for(const auto v : vertices(mesh))
       if(get(is_terminal, v) && halfedge(v, mesh) == boost::graph_traits<TriangleMesh>::null_halfedge()) {
         report.status = Diagnosis::WRONG_OPTION;
         report.offending_vertices = {v};
-        report.message = "vertex " + std::to_string(rank) + " has no face, and so no seam can reach it";
+        report.message = vertex_of_mesh_text(mesh, v, np) + " has no face, and so no seam can reach it";
         return false;
       }
-      ++rank;
-    }
   }
   return true;
 }
@@ -124,8 +122,10 @@ class Seam_application
 public:
   Seam_application(const TriangleMesh& mesh, EdgeIsSeamMap seams, const NamedParameters& np, bool keeps_seams)
       : m_mesh(mesh), m_seams(seams), m_np(np), m_keeps_seams(keeps_seams),
-        m_reader(mesh, parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                                    get_const_property_map(CGAL::vertex_point, mesh)))
+        m_reader(mesh,
+                 parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                              get_const_property_map(CGAL::vertex_point, mesh)),
+                 given_numbers<TriangleMesh>(np))
   {}
 
   template <typename Find>
@@ -186,7 +186,7 @@ private:
   void explain_failure(const Surface_part& part, Seams::Status status, Report& report) const
   {
     report.offending_faces = {m_reader.face_of(part.first_triangle)};
-    const std::string where = "the part of the surface with the vertex at " + position_text(part.chart, 0);
+    const std::string where = "the part of the surface with " + vertex_text(part.chart, 0);
     if(status == Seams::NO_CUT)
       m_reader.fail(
           report, Diagnosis::NO_CUT_ALLOWED,

@@ -14,6 +14,7 @@
 #include <CGAL/Texture_atlas/Seam_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Texture_atlas/internal/seams/opened_surface.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
@@ -168,8 +169,8 @@ template <typename TriangleMesh>
 std::string edge_text(typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
                       const TriangleMesh& mesh)
 {
-  return "between vertices " + rank_text(vertices(mesh), source(h, mesh)) + " and " +
-         rank_text(vertices(mesh), target(h, mesh));
+  return "between " + vertex_of_mesh_text(mesh, source(h, mesh)) + " and " +
+         vertex_of_mesh_text(mesh, target(h, mesh));
 }
 
 inline std::string count_text(std::size_t count, const std::string& thing)
@@ -217,7 +218,7 @@ std::string message(const typename Disk_cut_report<TriangleMesh>::Part& part, co
   case Diagnosis::NOT_TRIANGULATED:
     return "face " + rank_text(faces(mesh), face(part.where, mesh)) + " is not a triangle";
   case Diagnosis::NON_MANIFOLD_VERTEX:
-    return "vertex " + rank_text(vertices(mesh), target(part.where, mesh)) +
+    return vertex_of_mesh_text(mesh, target(part.where, mesh)) +
            " is surrounded by faces, and also belongs to other faces";
   case Diagnosis::NO_BORDER:
     return name + " is closed: it has neither a border nor a seam";

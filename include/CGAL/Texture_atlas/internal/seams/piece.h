@@ -87,6 +87,8 @@ inline Piece cut_out(const Chart& whole, const std::vector<double>& cost, std::v
       for(int around : corners_around(chart, c))
         chart.vertex[around] = chart.number_of_vertices();
       chart.points.push_back(whole.points[v]);
+      if(static_cast<std::size_t>(v) < whole.numbers.size())
+        chart.numbers.push_back(whole.numbers[v]);
       piece.origin.push_back(v);
     }
   find_borders(chart);

@@ -11,6 +11,7 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
@@ -69,7 +70,8 @@ bool read_triangles(const TriangleMesh& mesh, VertexPointMap points, VertexNumbe
     for(int i = 0; i < 3; ++i)
       if(!std::isfinite(arrays.points.back()[i])) {
         report.status = Diagnosis::NON_FINITE_POINT;
-        report.message = "vertex " + std::to_string(number) + " has a coordinate that is not finite";
+        report.message =
+            vertex_text(static_cast<std::ptrdiff_t>(number), arrays.points.back()) + non_finite_text;
         report.offending_vertices = {v};
         return false;
       }

@@ -20,6 +20,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 
 #include <algorithm>
 #include <cmath>
@@ -120,7 +121,7 @@ private:
     if(vertices.empty())
       return {};
     std::ostringstream message;
-    message << "the prescribed angle at the vertex at " << position_text(m_chart, vertices.front())
+    message << "the prescribed angle at " << vertex_text(m_chart, vertices.front())
             << (m_rank[vertices.front()] < 0 ? " is not at the outer border" : " is not a positive number");
     return defect(Diagnosis::WRONG_ANGLE_SUM, message, vertices);
   }
@@ -172,9 +173,8 @@ private:
     if(ends.empty())
       return {};
     std::ostringstream message;
-    message << "an edge joins the border vertices at " << position_text(m_chart, ends[0]) << " and "
-            << position_text(m_chart, ends[1])
-            << ", but the prescribed angles between them leave no room beside it";
+    message << "an edge joins " << vertex_text(m_chart, ends[0]) << " and " << vertex_text(m_chart, ends[1])
+            << " of the border, but the prescribed angles between them leave no room beside it";
     if(ends.size() > 2)
       message << ", nor beside " << ends.size() / 2 - 1 << " other edge(s)";
     message << ": split it, for example by split_flat_chords()";
@@ -206,8 +206,8 @@ private:
     if(vertices.empty())
       return {};
     std::ostringstream message;
-    message << "the prescribed angle " << m_chart.angle_sums[vertices.front()] << " at the vertex at "
-            << position_text(m_chart, vertices.front()) << " is too large: the vertex has only " << triangles
+    message << "the prescribed angle " << m_chart.angle_sums[vertices.front()] << " at "
+            << vertex_text(m_chart, vertices.front()) << " is too large: the vertex has only " << triangles
             << " triangle(s)";
     return defect(Diagnosis::WRONG_ANGLE_SUM, message, vertices);
   }
@@ -233,7 +233,7 @@ private:
     std::ostringstream message;
     message << "the angles prescribed at " << vertices.size() << " border vertices";
     if(!vertices.empty())
-      message << ", such as the one at " << position_text(m_chart, vertices.front()) << ",";
+      message << ", such as the one at " << vertex_text(m_chart, vertices.front()) << ",";
     message << (flow.is_too_large() ? " are too large" : " are too small")
             << " together for the triangles near these vertices";
     return defect(Diagnosis::INFEASIBLE_ANGLE_SUMS, message, vertices);

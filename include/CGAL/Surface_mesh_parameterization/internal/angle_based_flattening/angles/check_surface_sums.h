@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/prescriptions.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/seam_nodes.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 
 #include <algorithm>
 #include <cmath>
@@ -106,7 +107,7 @@ private:
       const double sum = m_chart.surface_sums[v];
       const int place = m_place[v];
       std::ostringstream message;
-      message << "the prescribed angle sum at the vertex at " << position_text(m_chart, v);
+      message << "the prescribed angle sum at " << vertex_text(m_chart, v);
       if(!m_is_outer[v])
         message << " is neither on a seam nor at the outer border";
       else if(!(sum == m_chart.surface_sums[place]))
@@ -167,7 +168,7 @@ private:
     std::ostringstream message;
     message << "the angle sums prescribed at " << vertices.size() << " vertices";
     if(!vertices.empty())
-      message << ", such as the one at " << position_text(m_chart, vertices.front()) << ",";
+      message << ", such as the one at " << vertex_text(m_chart, vertices.front()) << ",";
     message << (flow.is_too_large() ? " are too large" : " are too small")
             << " together for the triangles near these vertices";
     return defect(Diagnosis::INFEASIBLE_ANGLE_SUMS, message.str(), vertices);

@@ -19,6 +19,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 
 #include <string>
 #include <utility>
@@ -78,7 +79,7 @@ inline std::string describe_invalid(const Corner_table& chart, const Certificate
   return std::to_string(certificate.invalid.size()) +
          (certificate.flipped_triangles > 0 ? " flipped triangle(s)"
                                             : " triangle(s) that wind around a vertex more than once") +
-         ", one at the vertex at " + position_text(chart, chart.vertex[3 * certificate.invalid.front()]);
+         ", one at " + vertex_text(chart, chart.vertex[3 * certificate.invalid.front()]);
 }
 
 // Where the border of a map touches itself, as the end of a sentence
@@ -88,8 +89,8 @@ inline std::string describe_touching_edges(const Corner_table& chart,
   const std::vector<std::pair<int, int>> pairs = border_crossings(chart, uv);
   if(pairs.empty())
     return "holes that are not inside the outer border, or borders inside one another";
-  return std::to_string(pairs.size()) + " pair(s) of border edges that touch, one at the vertex at " +
-         position_text(chart, chart.edge_source(pairs.front().first));
+  return std::to_string(pairs.size()) + " pair(s) of border edges that touch, one at " +
+         vertex_text(chart, chart.edge_source(pairs.front().first));
 }
 
 inline void take_certificate(const Certificate& certificate, Flattening_report& report)

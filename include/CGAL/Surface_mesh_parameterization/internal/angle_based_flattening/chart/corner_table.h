@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/inline.h>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -40,10 +41,11 @@ struct Corner_table
   typedef Kernel::Point_2 Point_2;
   typedef Kernel::Point_3 Point_3;
 
-  std::vector<Point_3> points; // of each vertex, divided by `scale`
-  double scale = 1;            // a power of two, so that squares neither overflow nor vanish
-  std::vector<int> vertex;     // of each corner
-  std::vector<int> opposite;   // of each corner: the one that faces the same edge, -1 at the border
+  std::vector<Point_3> points;         // of each vertex, divided by `scale`
+  double scale = 1;                    // a power of two, so that squares neither overflow nor vanish
+  std::vector<std::ptrdiff_t> numbers; // of each vertex, for messages; vertices behind the last one have none
+  std::vector<int> vertex;             // of each corner
+  std::vector<int> opposite;           // of each corner: the one that faces the same edge, -1 at the border
   std::vector<std::vector<int>>
       borders;               // of each border cycle: the corners that face its edges, in its order
   std::vector<int> interior; // of each vertex: its rank among the interior ones, -1 at the border

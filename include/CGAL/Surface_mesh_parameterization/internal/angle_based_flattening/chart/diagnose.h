@@ -5,8 +5,6 @@
 
 // Finds what makes a chart impossible to flatten: points that are not finite, vertices that are not manifold, the wrong
 // topology. `read_chart.h` and `read_surface.h` call `diagnose()`; stages that can fail return the type `Chart_defect`.
-//
-// Elements of a mesh as messages name them: by their numbers.
 
 #ifndef CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_DIAGNOSE_H
 #define CGAL_SMP_INTERNAL_ANGLE_BASED_FLATTENING_CHART_DIAGNOSE_H
@@ -16,20 +14,12 @@
 #include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 
-#include <algorithm>
-#include <iterator>
 #include <string>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
-
-// The position of an element in a range of the mesh
-template <typename Range, typename Descriptor>
-std::string rank_text(const Range& range, const Descriptor& descriptor)
-{
-  return std::to_string(std::distance(range.begin(), std::find(range.begin(), range.end(), descriptor)));
-}
 
 // What is wrong with a chart, and where.
 struct Chart_defect
@@ -58,8 +48,6 @@ Report report_of(const Chart& chart)
   report.borders = static_cast<int>(chart.borders.size());
   return report;
 }
-
-CGAL_ANGLE_BASED_FLATTENING_INLINE std::string position_text(const Corner_table& chart, int v);
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_non_finite_point(const Chart& chart);
 

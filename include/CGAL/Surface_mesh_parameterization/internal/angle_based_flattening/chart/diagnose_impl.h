@@ -15,9 +15,9 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <limits>
 #include <utility>
@@ -25,24 +25,12 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-CGAL_ANGLE_BASED_FLATTENING_INLINE std::string position_text(const Corner_table& chart, int v)
-{
-  std::ostringstream text;
-  const double s = chart.scale;
-  text << '(' << s * chart.points[v].x() << ", " << s * chart.points[v].y() << ", " << s * chart.points[v].z()
-       << ')';
-  return text.str();
-}
-
 CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_non_finite_point(const Chart& chart)
 {
   for(int v = 0; v < chart.number_of_vertices(); ++v)
     for(int i = 0; i < 3; ++i)
       if(!std::isfinite(chart.points[v][i]))
-        return {Diagnosis::NON_FINITE_POINT,
-                "a vertex has coordinates " + position_text(chart, v) + ", which are not all finite numbers",
-                {v},
-                {}};
+        return {Diagnosis::NON_FINITE_POINT, vertex_text(chart, v) + non_finite_text, {v}, {}};
   return {};
 }
 
@@ -97,8 +85,7 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_bad_vertex(const Chart& cha
     const int v = chart.vertex[first];
     if(has_fan[v])
       return {Diagnosis::NON_MANIFOLD_VERTEX,
-              "the surface is pinched at the vertex at " + position_text(chart, v) +
-                  ": its triangles form more than one fan",
+              "the surface is pinched at " + vertex_text(chart, v) + ": its triangles form more than one fan",
               {v},
               {}};
     has_fan[v] = true;
@@ -117,8 +104,7 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_bad_vertex(const Chart& cha
         again = meet(w = chart.vertex[next_corner(c)]);
       if(again)
         return {Diagnosis::PARALLEL_EDGES,
-                "two edges, or a loop, join the vertices at " + position_text(chart, v) + " and " +
-                    position_text(chart, w) +
+                "two edges, or a loop, join " + vertex_text(chart, v) + " and " + vertex_text(chart, w) +
                     ": a planar triangulation has at most one edge between two vertices",
                 {v, w},
                 {c / 3}};
@@ -155,8 +141,8 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Chart_defect find_wrong_topology(const Chart&
   if(borders > 1 && !with_holes) {
     const int v = chart.edge_source(chart.borders[1].front());
     return {Diagnosis::SEVERAL_BORDERS,
-            "the surface has " + std::to_string(borders) + " borders, a second one at the vertex at " +
-                position_text(chart, v) + ", and holes are refused",
+            "the surface has " + std::to_string(borders) + " borders, a second one at " +
+                vertex_text(chart, v) + ", and holes are refused",
             {v},
             {}};
   }

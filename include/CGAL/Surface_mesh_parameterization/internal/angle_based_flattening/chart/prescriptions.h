@@ -22,6 +22,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_pins.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 
 #include <CGAL/boost/graph/properties.h>
 
@@ -57,8 +58,9 @@ Face_importance<TriangleMesh> face_importance(FaceImportanceMap map)
 }
 
 // Finds the weights of triangles that are out of range.
-inline Chart_defect find_wrong_weight(const std::vector<double>& weight)
+inline Chart_defect find_wrong_weight(const Chart& chart)
 {
+  const std::vector<double>& weight = chart.weight;
   Chart_defect defect;
   for(std::size_t t = 0; t < weight.size(); ++t)
     if(!(weight[t] >= least_importance && weight[t] <= largest_importance))
@@ -66,7 +68,10 @@ inline Chart_defect find_wrong_weight(const std::vector<double>& weight)
   if(defect.triangles.empty())
     return defect;
   std::ostringstream text;
-  text << "the importance of a face is " << weight[defect.triangles.front()] << ", but must be between "
+  const int t = defect.triangles.front();
+  text << "the importance of the face of " << vertex_text(chart, chart.vertex[3 * t]) << ", "
+       << vertex_text(chart, chart.vertex[3 * t + 1]) << " and "
+       << vertex_text(chart, chart.vertex[3 * t + 2]) << " is " << weight[t] << ", but must be between "
        << least_importance << " and " << largest_importance;
   defect.status = Diagnosis::WRONG_WEIGHT;
   defect.message = text.str();
@@ -83,7 +88,7 @@ Chart_defect read_importance(ChartReader& reader, const FaceImportance& importan
   weight.reserve(reader.number_of_faces());
   for(int t = 0; t < reader.number_of_faces(); ++t)
     weight.push_back(importance(reader.face_of_triangle(t)));
-  return find_wrong_weight(weight);
+  return find_wrong_weight(reader.chart);
 }
 
 // The prescribed angle sum of each vertex of a mesh, if there is one. It hides the type of the caller's property map.
@@ -125,8 +130,8 @@ inline Chart_defect find_wrong_seam(const Chart& chart)
   for(int c = 0; c < chart.number_of_corners(); ++c)
     if(const int across = chart.seam[c]; across >= 0 && (across == c || chart.seam[across] != c))
       return {Diagnosis::WRONG_OPTION,
-              "a halfedge is not the other side of its other side, at the vertex at " +
-                  position_text(chart, chart.edge_source(c)),
+              "a halfedge is not the other side of its other side, at " +
+                  vertex_text(chart, chart.edge_source(c)),
               {chart.edge_source(c), chart.edge_target(c)},
               {}};
   return {};
@@ -139,11 +144,12 @@ inline Chart_defect equalize_seams(Chart& chart, bool all_of_them = false)
   for(int k = 0; k < chart.number_of_holes(); ++k)
     for(int c : chart.hole(k))
       if(all_of_them && !chart.seam.empty() && chart.seam[c] >= 0)
-        return {
-            Diagnosis::WRONG_OPTION,
-            "seams of equal lengths must have both sides on the outer border, but one has a side at a hole",
-            {chart.edge_source(c)},
-            {}};
+        return {Diagnosis::WRONG_OPTION,
+                "seams of equal lengths must have both sides on the outer border, but one has a side at a "
+                "hole, at " +
+                    vertex_text(chart, chart.edge_source(c)),
+                {chart.edge_source(c)},
+                {}};
   equalize_outer_seams(chart);
   return {};
 }
@@ -156,7 +162,8 @@ struct Prescriptions
   Vertex_angle_sums<TriangleMesh> angle_sums;
   Halfedge_seam_sides<TriangleMesh> seam_sides;
   std::optional<bool> equal_seam_lengths;
-  Vertex_points<TriangleMesh> points; // of the mesh if it is empty
+  Vertex_points<TriangleMesh> points;   // of the mesh if it is empty
+  Vertex_numbers<TriangleMesh> numbers; // positions if it is empty
   Vertex_pins<TriangleMesh> pins;
 
   template <typename HalfedgeSideMap>

@@ -16,6 +16,8 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/face_search.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/seam_sides.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -31,48 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-
-template <class TM, class SEM, class SVM>
-class Seam_mesh;
-
-} // namespace CGAL
-
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
-
-// The seams of a `Seam_mesh`. `across()` returns the halfedge on the other side of a seam for an inner halfedge at the
-// border; the null halfedge if there is no seam.
-template <typename TriangleMesh>
-struct Seam_sides
-{
-  typedef void surface_vertex_descriptor;
-  static constexpr bool has_seams = false;
-};
-
-template <typename TM, typename SEM, typename SVM>
-struct Seam_sides<CGAL::Seam_mesh<TM, SEM, SVM>>
-{
-  typedef CGAL::Seam_mesh<TM, SEM, SVM> Mesh;
-  typedef typename boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
-  typedef typename boost::graph_traits<TM>::vertex_descriptor surface_vertex_descriptor;
-  static constexpr bool has_seams = true;
-
-  static halfedge_descriptor across(const halfedge_descriptor& h, const Mesh& mesh)
-  {
-    const typename Mesh::TM_halfedge_descriptor other = opposite(h.tmhd, mesh.mesh());
-    return mesh.has_on_seam(h.tmhd) && !CGAL::is_border(other, mesh.mesh())
-               ? halfedge_descriptor(other)
-               : boost::graph_traits<Mesh>::null_halfedge();
-  }
-
-  // The vertex of the mesh that was cut
-  static surface_vertex_descriptor
-  surface_vertex(const typename boost::graph_traits<Mesh>::vertex_descriptor& v, const Mesh& mesh)
-  {
-    const typename Mesh::TM_halfedge_descriptor h = v;
-    return target(h, mesh.mesh());
-  }
-};
 
 // The points of the vertices of a mesh. It hides the type of the caller's property map.
 template <typename TriangleMesh>
@@ -140,17 +101,18 @@ class Chart_reader
   typedef typename Graph_traits::face_descriptor face_descriptor;
 
 public:
-  // Without `points`, they are those of the mesh.
-  explicit Chart_reader(const TriangleMesh& mesh, Vertex_points<TriangleMesh> points = {})
-      : m_mesh(mesh), m_points(std::move(points)), m_faces(mesh)
+  // Without `points`, they are those of the mesh; without `numbers`, messages number vertices by positions.
+  explicit Chart_reader(const TriangleMesh& mesh, Vertex_points<TriangleMesh> points = {},
+                        Vertex_numbers<TriangleMesh> numbers = {})
+      : m_mesh(mesh), m_points(std::move(points)), m_numbers(std::move(numbers)), m_faces(mesh)
   {}
 
   // `vimap` maps each vertex to an integer of its own; these need not be consecutive.
   template <typename VertexIndexMap>
   Chart_defect read(halfedge_descriptor bhd, VertexIndexMap vimap)
   {
-    if(bhd == Graph_traits::null_halfedge() || !CGAL::is_border(bhd, m_mesh))
-      return {Diagnosis::NOT_ON_BORDER, "the given halfedge is not on a border", {}, {}};
+    if(Chart_defect defect = find_no_border(bhd))
+      return defect;
     const halfedge_descriptor inner = opposite(bhd, m_mesh);
     if(CGAL::is_border(inner, m_mesh))
       return {Diagnosis::EMPTY_MESH, "there is no face at the given border halfedge", {}, {}};
@@ -198,6 +160,29 @@ public:
   std::vector<vertex_descriptor> vertex_descriptors; // of each vertex of the chart
 
 private:
+  // A closed surface is named before a halfedge that is wrong for that reason.
+  Chart_defect find_no_border(halfedge_descriptor bhd) const
+  {
+    const bool is_null = bhd == Graph_traits::null_halfedge();
+    if(!is_null && CGAL::is_border(bhd, m_mesh))
+      return {};
+    const auto all = halfedges(m_mesh);
+    if(all.begin() == all.end())
+      return {Diagnosis::EMPTY_MESH, "the mesh has no faces", {}, {}};
+    if(std::none_of(all.begin(), all.end(), [this](const auto& h) { return CGAL::is_border(h, m_mesh); }))
+      return {Diagnosis::NO_BORDER,
+              "the surface is closed: it has no border; make_atlas() takes it as it is, and select_seams() "
+              "chooses "
+              "where to cut it open",
+              {},
+              {}};
+    return {Diagnosis::NOT_ON_BORDER,
+            is_null ? "the given halfedge is null, and must be on a border"
+                    : "the given halfedge is not on a border: it has a face",
+            {},
+            {}};
+  }
+
   // Sets the corner table, and the vertices in the order in which the faces come upon them. A face that is entered from
   // another one brings one vertex, which may be new.
   template <typename VertexIndexMap>
@@ -233,8 +218,12 @@ private:
     const auto points = get(CGAL::vertex_point, m_mesh);
     double largest = 0;
     vertex_descriptors.shrink_to_fit();
+    if(!m_numbers)
+      m_numbers = vertex_positions(m_mesh);
+    chart.numbers.reserve(vertex_descriptors.size());
     chart.points.reserve(vertex_descriptors.size());
     for(vertex_descriptor v : vertex_descriptors) {
+      chart.numbers.push_back(m_numbers(v));
       chart.points.push_back(m_points ? m_points(v, m_mesh) : point_in_doubles(get(points, v)));
       for(int i = 0; i < 3; ++i)
         largest = (std::max)(largest, std::abs(chart.points.back()[i]));
@@ -244,6 +233,7 @@ private:
 
   const TriangleMesh& m_mesh;
   Vertex_points<TriangleMesh> m_points;
+  Vertex_numbers<TriangleMesh> m_numbers;
   Face_search<TriangleMesh> m_faces;
 };
 

@@ -13,6 +13,7 @@
 
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 
 #include <CGAL/number_utils.h>
 
@@ -88,8 +89,8 @@ inline Chart_defect find_wrong_pin(const Chart& chart)
       defect.vertices.push_back(pin.vertex);
   if(!defect.vertices.empty()) {
     defect.status = Diagnosis::WRONG_PIN;
-    defect.message = "the position of the pin at the vertex at " +
-                     position_text(chart, defect.vertices.front()) + " is not finite";
+    defect.message =
+        "the position of the pin at " + vertex_text(chart, defect.vertices.front()) + " is not finite";
     return defect;
   }
   std::vector<Chart::Pin> pins = chart.pins;
@@ -98,8 +99,8 @@ inline Chart_defect find_wrong_pin(const Chart& chart)
   for(std::size_t i = 1; i < pins.size(); ++i)
     if(pins[i - 1].position == pins[i].position)
       return {Diagnosis::WRONG_PIN,
-              "the vertices at " + position_text(chart, pins[i - 1].vertex) + " and " +
-                  position_text(chart, pins[i].vertex) + " are pinned at the same position",
+              vertex_text(chart, pins[i - 1].vertex) + " and " + vertex_text(chart, pins[i].vertex) +
+                  " are pinned at the same position",
               {pins[i - 1].vertex, pins[i].vertex},
               {}};
   return defect;

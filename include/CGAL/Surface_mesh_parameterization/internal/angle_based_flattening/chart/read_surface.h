@@ -18,6 +18,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/Disjoint_sets.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/face_search.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/find_borders.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
@@ -26,6 +27,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
@@ -52,8 +54,10 @@ class Surface_reader
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
 
 public:
-  Surface_reader(const TriangleMesh& mesh, VertexPointMap points)
-      : m_mesh(mesh), m_points(points), m_faces(mesh)
+  // Messages number vertices by positions, or by `numbers`.
+  Surface_reader(const TriangleMesh& mesh, VertexPointMap points, Vertex_numbers<TriangleMesh> numbers = {})
+      : m_mesh(mesh), m_points(points), m_numbers(numbers ? std::move(numbers) : vertex_positions(mesh)),
+        m_faces(mesh)
   {}
 
   const std::vector<Surface_part>& parts() const { return m_parts; }
@@ -140,8 +144,8 @@ public:
         if(!(part.cost[c] >= 0)) {
           report.offending_edges = {edge_of(3 * part.first_triangle + c)};
           fail(report, Diagnosis::WRONG_WEIGHT,
-               "the edge from " + position_text(chart, chart.edge_source(c)) + " to " +
-                   position_text(chart, chart.edge_target(c)) + " has the weight " +
+               "the edge from " + vertex_text(chart, chart.edge_source(c)) + " to " +
+                   vertex_text(chart, chart.edge_target(c)) + " has the weight " +
                    std::to_string(part.cost[c]) + ", and weights must not be negative");
           return false;
         }
@@ -218,8 +222,9 @@ private:
         fail(report, defect.status, defect.message);
         for(int t : defect.triangles) { // one that is no triangle
           report.offending_faces = {face_of(t)};
-          const auto p = get(m_points, target(m_faces.entry(t), m_mesh));
-          report.message = "the face at " + point_text(p) + " is not a triangle";
+          const vertex_descriptor v = target(m_faces.entry(t), m_mesh);
+          report.message = "face " + rank_text(faces(m_mesh), face_of(t)) + ", at " +
+                           vertex_text(m_numbers(v), get(m_points, v)) + ", is not a triangle";
         }
         return false;
       }
@@ -227,14 +232,6 @@ private:
     if(m_faces.size() == 0)
       fail(report, Diagnosis::EMPTY_MESH, "the mesh has no faces");
     return m_faces.size() > 0;
-  }
-
-  template <typename Point>
-  static std::string point_text(const Point& p)
-  {
-    Chart chart;
-    chart.points.push_back(point_in_doubles(p));
-    return position_text(chart, 0);
   }
 
   bool read_points(Report& report)
@@ -247,8 +244,7 @@ private:
           m_largest = (std::max)(m_largest, std::abs(p[i]));
           if(!std::isfinite(p[i])) {
             report.offending_vertices = {vertex_of(part, v)};
-            fail(report, Diagnosis::NON_FINITE_POINT,
-                 "a vertex has coordinates " + point_text(p) + ", which are not all finite numbers");
+            fail(report, Diagnosis::NON_FINITE_POINT, vertex_text(part.chart, v) + non_finite_text);
             return false;
           }
         }
@@ -265,8 +261,9 @@ private:
       if(chart.vertex[corner] >= 0)
         continue;
       set_vertex_around(corner, chart.number_of_vertices(), chart);
-      const halfedge_descriptor h = halfedge_to(3 * part.first_triangle + corner);
-      chart.points.push_back(point_in_doubles(get(m_points, target(h, m_mesh))));
+      const vertex_descriptor v = target(halfedge_to(3 * part.first_triangle + corner), m_mesh);
+      chart.points.push_back(point_in_doubles(get(m_points, v)));
+      chart.numbers.push_back(m_numbers(v));
     }
   }
 
@@ -283,6 +280,7 @@ private:
 
   const TriangleMesh& m_mesh;
   VertexPointMap m_points;
+  Vertex_numbers<TriangleMesh> m_numbers;
   Face_search<TriangleMesh> m_faces;
   std::vector<Surface_part> m_parts;
   double m_largest = 0; // of the absolute values of coordinates

@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_surface.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/distortion/measure_chart.h>
 
@@ -41,8 +42,9 @@ class Mapped_surface
   typedef Flattening_measures_report<TriangleMesh> Report;
 
 public:
-  Mapped_surface(const TriangleMesh& mesh, VertexPointMap points, UVMap uvmap)
-      : m_coordinates(mesh, uvmap), m_reader(mesh, points)
+  Mapped_surface(const TriangleMesh& mesh, VertexPointMap points, Vertex_numbers<TriangleMesh> numbers,
+                 UVMap uvmap)
+      : m_coordinates(mesh, uvmap), m_reader(mesh, points, std::move(numbers))
   {
     const auto is_cut = [&](edge_descriptor e) {
       return !CGAL::is_border(e, mesh) && m_coordinates.is_at_border(halfedge(e, mesh));

@@ -48,6 +48,8 @@ struct Remaining_chart
     for(int v : alive) {
       rank[v] = chart.number_of_vertices();
       chart.points.push_back(fine.points[v]);
+      if(static_cast<std::size_t>(v) < fine.numbers.size())
+        chart.numbers.push_back(fine.numbers[v]);
       chart.interior.push_back(fine.interior[v] < 0 ? -1 : chart.number_of_interior_vertices++);
     }
     copy_triangles(fine, rank, mesh.remaining_triangles());

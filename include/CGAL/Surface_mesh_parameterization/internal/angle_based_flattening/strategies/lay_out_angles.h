@@ -24,6 +24,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/scale.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/exact_layout.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/least_squares_layout.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/layout/predict_scale.h>
@@ -63,8 +64,8 @@ std::vector<int> limit_scale(const Chart& chart, const Linear_solvers& solvers, 
     triangles.push_back(c / 3);
   std::ostringstream text; // with the exponent alone, since the factor itself may be too large for `double`
   text << "lengths would vary by a factor of about 1e" << std::floor(prediction->log_range / std::log(10.))
-       << " in the plane: cut the surface open from the border at the vertex at "
-       << position_text(chart, chart.edge_source(border.front())) << " to the outer border";
+       << " in the plane: cut the surface open from the border at "
+       << vertex_text(chart, chart.edge_source(border.front())) << " to the outer border";
   fail(report, Diagnosis::SCALE_TOO_LARGE, text.str());
   return triangles;
 }

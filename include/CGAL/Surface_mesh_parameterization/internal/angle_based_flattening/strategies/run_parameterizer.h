@@ -182,7 +182,7 @@ run_parameterizer(const TriangleMesh& mesh,
     return outcome;
   }
   const auto run = [&] {
-    Chart_reader<TriangleMesh> reader(mesh, prescriptions.points);
+    Chart_reader<TriangleMesh> reader(mesh, prescriptions.points, prescriptions.numbers);
     {
       const Stage stage(options.visitor, Flattening_visitor::READ, report.seconds.read);
       const Chart_defect defect =
