@@ -206,6 +206,7 @@ private:
     if(!m_flattening.succeeded()) {
       return !is_worth_another_way(m_flattening.report.status);
     }
+    m_flattening.note = m_flattening.hierarchical.note;
     return options.injective || m_flattening.hierarchical.polished ||
            is_close_to_direct(parameterizer.coarse_parameterizer().report(), options);
   }

@@ -55,6 +55,14 @@ struct Flattening_options
   /// What happens to a chart with more than one border. Other charts ignore this option.
   Holes holes = SOLVE;
 
+  /// Whether something else may take the place of the method if it fails; otherwise, its failure is an error. The
+  /// direct method then tries other strategies than Newton's method from the target angles, and
+  /// `ABF_plus_plus_report::strategy` names the one that gave the result. The hierarchical method starts from one
+  /// triangle if no coarse chart can be flattened or refined, or fills holes that cannot be solved;
+  /// `Hierarchical_report::note` says so. Without fallbacks, its error is `Diagnosis::COARSE_CHART_FAILED`. Injective
+  /// maps of the hierarchical method need no fallback.
+  bool fallbacks = true;
+
   /// Whether the map must be globally injective: no two triangles overlap. The result is then an injective map or an
   /// error. The hierarchical method starts from Tutte's map of a coarse chart, stays injective on each level, and does
   /// not call the coarse parameterizer. The direct method returns its own map if that does not overlap itself, and
@@ -160,11 +168,6 @@ struct ABF_plus_plus_options : Flattening_options
   /// see `ABF_plus_plus_report::largest_seam_jump`.
   std::optional<bool> equal_seam_lengths;
 
-  /// Whether fallback strategies are tried if Newton's method from the target angles gives no valid map.
-  /// `ABF_plus_plus_report::strategy` names the strategy that gave the result. If this is `false`, the failure is an
-  /// error.
-  bool fallbacks = true;
-
   /// Whether a call of `parameterize()` starts from the angles of the last call on this parameterizer, or on a copy, if
   /// the component has the same triangles in the same order. That saves Newton steps if the points, the importance or
   /// the prescribed angles changed little. The map is the same up to the tolerances, but not to the last digit. It is
@@ -202,11 +205,12 @@ struct Hierarchical_options : Flattening_options
   int angle_sweeps = 0;
 
   /// The final sweeps end when a sweep lowers the energy by less than this fraction; below 1. With 0, all sweeps are
-  /// done.
+  /// done. It may only be set together with `angle_sweeps`.
   double energy_tolerance = 0;
 
-  /// How often a coarse chart that cannot be flattened is replaced by a finer one. Refinement then starts from one
-  /// triangle, without a solver.
+  /// How often a coarse chart that cannot be flattened is replaced by a finer one
+  /// (`Hierarchical_report::failed_coarse_charts`). Refinement then starts from one triangle, without a solver, unless
+  /// `Flattening_options::fallbacks` is `false`.
   int max_retries = 3;
 
   /// Whether the direct solver starts from the angles of the refined map. This lowers the distortion to that of the
