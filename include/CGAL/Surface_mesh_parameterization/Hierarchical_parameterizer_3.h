@@ -256,6 +256,7 @@ public:
     prescriptions.importance = m_importance;
     prescriptions.equal_seam_lengths = false;
     prescriptions.points = m_points;
+    prescriptions.may_have_pins = bool(m_pins);
     prescriptions.pins = internal::ABF::with_parameterized_vertices<Triangle_mesh>(m_pins, uvmap, vpmap);
     const auto outcome = internal::ABF::run_parameterizer<Hierarchical_report>(
         mesh, bhd, uvmap, vimap, prescriptions, m_options, m_linear_algebra,
