@@ -290,7 +290,7 @@ BOOST_AUTO_TEST_CASE(direct_method_that_fails)
     std::mt19937 random(4);
     Surface surface(noisy_terrain(12, 60, random));
     coarse.fallbacks = fallbacks;
-    Parameterizer parameterizer(Options(), Parameterizer::Coarse_parameterizer(coarse));
+    Parameterizer parameterizer{Options(), Parameterizer::Coarse_parameterizer(coarse)};
     BOOST_TEST(surface.run(parameterizer) == SMP::OK);
     const Report& report = parameterizer.report();
     const SMP::ABF_plus_plus_report& of_coarse = parameterizer.coarse_parameterizer().report();
