@@ -40,7 +40,8 @@ using Stages = std::vector<std::pair<std::string, double>>; // with the seconds 
 inline bool is_failure_of_computation(const SMP::Diagnosis status)
 {
   return status == SMP::Diagnosis::LINEAR_SYSTEM_FAILED || status == SMP::Diagnosis::NO_CONVERGENCE ||
-         status == SMP::Diagnosis::FLIPPED_TRIANGLES || status == SMP::Diagnosis::OVERLAPPING;
+         status == SMP::Diagnosis::FLIPPED_TRIANGLES || status == SMP::Diagnosis::COARSE_CHART_FAILED ||
+         status == SMP::Diagnosis::OVERLAPPING;
 }
 
 namespace internal {

@@ -315,6 +315,7 @@ inline void check_atlas(const Values& values, Command_line& command)
                         " goes without --no-pack: it says how charts are packed");
     }
   }
+  static_cast<TA::Packing_options&>(atlas) = TA::Packing_options();
   if(is_given(values, "units") && !atlas.is_in_world_units()) {
     throw Usage_error("--no-pack goes with --units world: only packed charts fill the unit square");
   }
@@ -336,12 +337,14 @@ inline void check_method(const Command_line& command)
 // Options that are not given are chosen for a result close to that of the direct method.
 inline void refine_method(const Values& values, SMP::Hierarchical_options& hierarchical)
 {
-  hierarchical.energy_tolerance = 0.01;
   if(values["simplification-rate"].defaulted()) {
     hierarchical.simplification_rate = 0.85;
   }
   if(values["angle-sweeps"].defaulted()) {
     hierarchical.angle_sweeps = 20;
+  }
+  if(hierarchical.angle_sweeps > 0) {
+    hierarchical.energy_tolerance = 0.01;
   }
 }
 

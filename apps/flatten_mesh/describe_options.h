@@ -260,6 +260,10 @@ inline void describe_method_options(Command_line& command, Option_table& table)
                    "--method auto: up to 20. --injective: 10 by default, or 3 to 5 for large charts",
                    command.hierarchical);
   table.of_library("polish", "", "", command.hierarchical);
+  table.of_library(
+      "fallbacks", "on|off",
+      "Seams that cannot have equal lengths are then an error, too, if --equal-seams is not given",
+      command.options);
   table.of_library("barrier", "KAPPA", "", command.options);
   table.of_library("layout", "NAME", "", command.options);
   table.of_library("tolerance", "RADIANS", "", command.options);

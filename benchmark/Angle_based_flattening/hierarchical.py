@@ -6,6 +6,7 @@ hierarchical LSCM and the paper's order."""
 
 import argparse
 import csv
+import math
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -19,7 +20,8 @@ DIRECT_STAGES = ["read", "targets", "angles", "layout", "certify", "write"]
 # Columns that several tables have
 SECONDS, *STAGES = ((name, name, "seconds") for name in (
     "seconds", "read", "coarsen", "solve", "refine", "certify", "write"))
-TRIANGLES, FLIPS, RETRIES = ((name, name, ".0f") for name in ("triangles", "flips", "retries"))
+TRIANGLES, FLIPS = ((name, name, ".0f") for name in ("triangles", "flips"))
+FAILED = ("failed coarse charts", "failed_coarse_charts", ".0f")
 COARSE = ("coarse triangles", "coarse_triangles", ".0f")
 KERNEL = ("kernel insertions", "kernel_insertions", ".0f")
 PERCENT = ("% of vertices", "kernel_percent", ".4f")
@@ -29,6 +31,9 @@ SHEAR = ("shear", "mean_shear", ".4f")
 STRETCH = ("stretch", "stretch", ".4f")
 SHEAR_RISE = ("rise", "mean_shear_rise", "+.4f")
 STRETCH_RISE = ("rise", "stretch_rise", "+.4f")
+
+# Where the map of hierarchical LSCM starts, by the coarse chart that LSCM flattens
+STARTS = {"none": "one triangle", "finer": "a finer chart", "first": "the first chart"}
 
 # Seconds of the paper's Table III, for surfaces of that size, not ours
 PAPER = {605846: {"habf++": 107, "hlscm": 305}, 698572: {"habf++": 50, "hlscm": 351},
@@ -113,7 +118,7 @@ class Benchmark:
         columns = [TRIANGLES, ("shear, direct", "direct_mean_shear", ".4f"), ("hierarchical", *SHEAR[1:]),
                    SHEAR_RISE, ("stretch, direct", "direct_stretch", ".4f"), ("hierarchical", *STRETCH[1:]),
                    STRETCH_RISE, ("shear as returned, direct", "direct_shear", ".4f"),
-                   ("hierarchical", "shear", ".4f"), KERNEL, PERCENT, RETRIES, FLIPS]
+                   ("hierarchical", "shear", ".4f"), KERNEL, PERCENT, FAILED, FLIPS]
         meshes, targets, most_percent, flips = Table(["mesh"], columns), Targets(), 0., 0
         resized = [self.program.resized(self.options.mesh, size) for size in self.options.sizes[1:2]]
         for file in self.compared_files() + resized:
@@ -135,7 +140,7 @@ class Benchmark:
         mesh, figure = self.options.mesh, self.options.figure
         tasks = [Task("habf++", mesh, options=(f"--simplification-rate={rate / 100}",)) for rate in self.options.rates]
         direct, *results = self.medians(Task("abf++", mesh), *tasks)
-        rates = Table(["rate"], [COARSE, SECONDS, SHEAR, SHEAR_RISE, STRETCH, STRETCH_RISE, KERNEL, RETRIES, FLIPS])
+        rates = Table(["rate"], [COARSE, SECONDS, SHEAR, SHEAR_RISE, STRETCH, STRETCH_RISE, KERNEL, FAILED, FLIPS])
         for rate, m in zip(["direct", *self.options.rates], [direct, *results]):
             add_comparison(m, direct)
             rates.add(["direct" if m is direct else f"{rate:g} %"], m)
@@ -222,6 +227,25 @@ class Benchmark:
                 "107 s, hierarchical LSCM 305 s; 698,572: 50 s, 351 s; 4,241,328, at 98 %: 819 s, failed), on "
                 f"machines of 2004.\n\n{runs}{targets}")
 
+    def coarse(self) -> str:
+        columns = [TRIANGLES, FAILED, ("degrees, hierarchical LSCM", "degrees", ".2f"),
+                   ("hierarchical ABF++", "abf_degrees", ".2f"), FLIPS]
+        meshes, served = Table(["mesh", "start"], columns, 2), dict.fromkeys(STARTS, 0)
+        files = self.compared_files() + (run.mesh_files(self.options.demo) if self.options.demo else [])
+        for file in files:
+            abf, lscm = self.medians(Task("habf++", file), Task("hlscm", file))
+            if "failure" in abf or abf["levels"] == 0:  # no surface with a border, or none that is simplified
+                continue
+            lscm["degrees"], lscm["abf_degrees"] = (m["angle_change"] * 180 / math.pi for m in (lscm, abf))
+            start = "none" if not lscm["coarse_method"] else "finer" if lscm["failed_coarse_charts"] else "first"
+            served[start] += 1
+            meshes.add([file.stem, STARTS[start]], lscm)
+        return ("CGAL's LSCM and ABF++ as parameterizers of the coarse chart, at the default rate. A coarse chart has "
+                "failed if its map has flipped triangles; after four, the map starts from one triangle. Degrees are the "
+                "mean change of angles, weighted by area. LSCM flattened the first coarse chart of "
+                f"{served['first']} of {sum(served.values())} surfaces, a finer one of {served['finer']}, and none of "
+                f"{served['none']}.\n\n{meshes}")
+
     def direct(self) -> str:
         growth = {"triangles": "triangles / smallest", "seconds": "time", "bytes": "memory"}
         sizes = Table(["triangles", "threads"], [
@@ -258,7 +282,7 @@ def draw_rates(points: list[tuple[float, ...]], file: str) -> None:
 
 PARTS = {"speed": "Speed and memory", "quality": "Distortion", "rates": "Simplification rates",
          "sequential": "Level by level, or one vertex at a time", "large": "Large surfaces", "sweeps": "Sweeps",
-         "polish": "Polishing", "direct": "The direct method"}
+         "polish": "Polishing", "coarse": "LSCM on the coarse chart", "direct": "The direct method"}
 
 
 def main() -> None:
@@ -266,6 +290,8 @@ def main() -> None:
     run.add_mesh(parser, nargs="?")
     parser.add_argument("--data", type=Path, metavar="FOLDER",
                         help="disks for quality, sequential, sweeps and polish; by default only the one mesh")
+    parser.add_argument("--demo", type=Path, metavar="FOLDER",
+                        help="meshes of CGAL's demo, for coarse; those without a border are left out")
     parser.add_argument("--parts", type=run.words(PARTS), default=",".join(PARTS), metavar="PART,PART,...",
                         help="what to measure (%(default)s)")
     for name, default, text in (

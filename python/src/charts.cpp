@@ -79,7 +79,9 @@ std::string json_of(const SMP::Hierarchical_report& report)
   json.update({{"levels", report.levels},
                {"coarse_triangles", report.coarse_triangles},
                {"relaxed_angles", report.relaxed_angles},
-               {"polished", report.polished}});
+               {"polished", report.polished},
+               {"note", report.note}});
+  CGAL::Texture_atlas::internal::add_coarse_charts(json, report);
   return json_text(json);
 }
 

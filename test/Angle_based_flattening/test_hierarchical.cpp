@@ -277,7 +277,7 @@ BOOST_AUTO_TEST_CASE(energy_after_angle_sweeps_and_polishing)
   options.angle_sweeps = 4;
   for(bool polish : {false, true}) {
     options.polish = polish;
-    options.polish_options.barrier = 0;
+    options.polish_options.barrier = polish ? 0 : SMP::ABF_plus_plus_options().barrier;
     SMP::Hierarchical_parameterizer_3<Mesh> hierarchical(options);
     const double corners = 3. * mesh.number_of_faces();
     const double energy = corners * flatten(mesh, hierarchical).angular_distortion;

@@ -489,8 +489,6 @@ BOOST_AUTO_TEST_CASE(any_options_give_an_injective_map)
     options.sweeps = uniform_int(random, 0, 4);
     options.angle_sweeps = uniform_int(random, 0, 3);
     options.barrier = random() % 2 * 0.1;
-    options.simplification_rate = uniform(random, 0.01, 0.99);
-    options.coarse_triangles = random() % 2 * uniform_int(random, 1, 1000);
     options.extreme_angle = uniform(random, 0, 0.5);
     options.max_retries = uniform_int(random, 0, 3);
     options.polish = random() % 2 == 0 && options.area_weight <= 0.1;

@@ -447,6 +447,17 @@ BOOST_AUTO_TEST_CASE(maps_are_injective_by_each_method)
   }
 }
 
+BOOST_AUTO_TEST_CASE(where_the_hierarchical_method_starts)
+{
+  flatten(dinosaur(), "--method hierarchical --fallbacks off");
+  check_success();
+  BOOST_TEST(json().get<std::string>("start") == "COARSE_PARAMETERIZER");
+  BOOST_TEST(json().get_child("failed_coarse_charts").empty());
+  BOOST_TEST(json().get_child("notes").empty());
+  flatten(dinosaur(), "--method direct");
+  BOOST_TEST(json().get<std::string>("start") == "null");
+}
+
 // Where nothing overlaps, --injective does not change the map of the direct method.
 BOOST_AUTO_TEST_CASE(an_injective_direct_map_is_left_alone)
 {

@@ -43,6 +43,17 @@ def test_hierarchical_is_a_method():
     assert program.same_bits(abf.hierarchical(*mesh).uv, abf.flatten(*mesh, method="hierarchical").uv)
 
 
+def test_failed_coarse_charts():
+    vertices, faces = meshes.hill(40, 6)
+    report = abf.flatten(vertices, faces, method="hierarchical", fallbacks=False).report
+    assert (report["start"], report["note"], report["failed_coarse_charts"]) == ("COARSE_PARAMETERIZER", "", [])
+    noise = vertices + [0, 0, 1] * np.random.default_rng(1).uniform(-30, 30, (len(vertices), 1))
+    report = abf.flatten(noise, faces, method="hierarchical").report
+    for chart in report["failed_coarse_charts"]:
+        assert chart["triangles"] > chart["vertices"] > 0 and chart["message"] and chart["error"].startswith("ERROR_")
+    assert bool(report["note"]) == (report["start"] == "PROGRESSIVE_EMBEDDING" or "embedding" in report["note"])
+
+
 def test_polygons():
     """The diagonals of quadrangles are chosen; all points of the map are where they are for any triangles."""
     vertices, _ = meshes.hill(10, 7)

@@ -185,12 +185,16 @@ private:
   void flatten_with_equal_seams()
   {
     SMP::ABF_plus_plus_options options = m_options;
+    if(!m_sheet.cut) {
+      options.equal_seam_lengths.reset();
+    }
     const bool is_default = !options.equal_seam_lengths && m_sheet.cut;
     if(is_default) {
       options.equal_seam_lengths = true;
     }
     flatten_directly(options);
-    if(is_default && !m_flattening.succeeded() && is_worth_another_way(m_flattening.report.status)) {
+    if(is_default && options.fallbacks && !m_flattening.succeeded() &&
+       is_worth_another_way(m_flattening.report.status)) {
       m_flattening.note +=
           (m_flattening.note.empty() ? "" : "; ") +
           ("the two sides of a seam have different lengths, because the map with equal lengths failed: " +
@@ -207,13 +211,20 @@ private:
     m_flattening.method = "hierarchical";
     SMP::Hierarchical_options options = m_command.hierarchical;
     static_cast<SMP::Flattening_options&>(options) = m_options;
-    options.visitor = nullptr; // the coarse parameterizer tells its steps
-    options.polish_options = m_options;
+    options.visitor = nullptr;                 // the coarse parameterizer tells its steps
+    if(options.polish && !options.injective) { // injective maps are polished by another solver
+      options.polish_options = m_options;
+      static_cast<SMP::Flattening_options&>(options.polish_options) = SMP::Flattening_options();
+      options.polish_options.barrier = m_options.barrier;
+      options.polish_options.visitor = m_options.visitor;
+      options.polish_options.equal_seam_lengths.reset();
+    }
     SMP::Hierarchical_parameterizer_3<Mesh, Coarse> parameterizer(options, Coarse(m_options, m_solver));
     run_parameterizer(parameterizer);
     if(!m_flattening.succeeded()) {
       return !is_worth_another_way(m_flattening.report.status);
     }
+    m_flattening.note = m_flattening.hierarchical.note;
     return options.injective || m_flattening.hierarchical.polished ||
            is_close_to_direct(parameterizer.coarse_parameterizer().report(), options);
   }

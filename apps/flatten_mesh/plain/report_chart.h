@@ -10,6 +10,8 @@
 #include "flatten_mesh/report_measures.h"
 #include "flatten_mesh/report_skipped.h"
 
+#include <CGAL/Texture_atlas/internal/json/report_json.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -282,8 +284,12 @@ inline std::string report_json(const Chart_record& record, const Batch_options& 
                {"seams", record.seams ? internal::seams_json(*record.seams) : Json()},
                {"method", flattening.method},
                {"levels", flattening.hierarchical.levels},
-               {"relaxed_angles", flattening.hierarchical.relaxed_angles},
-               {"iterations", report.iterations},
+               {"relaxed_angles", flattening.hierarchical.relaxed_angles}});
+  TA::internal::add_coarse_charts(json, flattening.hierarchical);
+  if(flattening.method != "hierarchical") {
+    json["start"] = Json();
+  }
+  json.update({{"iterations", report.iterations},
                {"constraint_residual", report.constraint_residual},
                {"energy", report.energy},
                {"layout", layout_name(report)},

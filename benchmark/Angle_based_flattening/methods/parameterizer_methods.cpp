@@ -46,7 +46,8 @@ void add_report(const SMP::Hierarchical_report& report, Measurement& m)
   m.add("write", report.seconds.write);
   m.add("levels", report.levels);
   m.add("coarse_triangles", report.coarse_triangles);
-  m.add("retries", report.retries);
+  m.add("failed_coarse_charts", static_cast<double>(report.failed_coarse_charts.size()));
+  m.add("coarse_method", report.start == SMP::Hierarchical_report::COARSE_PARAMETERIZER);
   m.add("kernel_insertions", report.kernel_insertions);
 }
 

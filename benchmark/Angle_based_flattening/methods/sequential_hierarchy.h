@@ -123,7 +123,7 @@ inline bool solve_coarse_chart(const abf::Coarse_chart& coarse, const std::vecto
                                std::vector<abf::Planar_point>& uv)
 {
   SMP::ABF_plus_plus_parameterizer_3<SMP::Hierarchical_coarse_mesh> parameterizer;
-  const auto coarse_uv = abf::Coarse_solver<decltype(parameterizer)>(parameterizer)(coarse.chart);
+  const auto coarse_uv = abf::Coarse_solver<decltype(parameterizer)>(parameterizer)(coarse.chart).uv;
   for(std::size_t v = 0; coarse_uv && v < coarse_uv->size(); ++v)
     uv[alive[v]] = abf::Planar_point((*coarse_uv)[v].x(), (*coarse_uv)[v].y());
   return coarse_uv.has_value();

@@ -329,6 +329,7 @@ public:
     const std::shared_ptr<const internal::ABF::Planar_angles> last = m_outcome.angles();
     m_outcome.set(Outcome::interrupted());
     internal::ABF::Prescriptions<Triangle_mesh> prescriptions = m_prescriptions;
+    prescriptions.may_have_pins = bool(m_prescriptions.pins);
     prescriptions.pins =
         internal::ABF::with_parameterized_vertices<Triangle_mesh>(m_prescriptions.pins, uvmap, vpmap);
     const auto outcome = internal::ABF::run_parameterizer<ABF_plus_plus_report>(

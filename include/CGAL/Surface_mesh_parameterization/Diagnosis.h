@@ -77,6 +77,7 @@ enum class Diagnosis
   // The computation
   LINEAR_SYSTEM_FAILED, ///< The solver traits failed.
   NO_CONVERGENCE,       ///< The solver did not satisfy the constraints, and the layout has flipped triangles.
+  COARSE_CHART_FAILED,  ///< The coarse parameterizer gave no valid map, and fallbacks are off.
   SCALE_TOO_LARGE,      ///< The map of a surface with several borders would need a range of scale above 1e10.
   FLIPPED_TRIANGLES,    ///< A triangle is not positively oriented in the plane.
   INFEASIBLE_PINS,      ///< With the pins at their positions, triangles are flipped or overlap.
@@ -171,6 +172,7 @@ inline std::string to_string(Diagnosis diagnosis)
                                    "NO_CUT_ALLOWED",
                                    "LINEAR_SYSTEM_FAILED",
                                    "NO_CONVERGENCE",
+                                   "COARSE_CHART_FAILED",
                                    "SCALE_TOO_LARGE",
                                    "FLIPPED_TRIANGLES",
                                    "INFEASIBLE_PINS",

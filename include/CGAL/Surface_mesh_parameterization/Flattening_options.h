@@ -45,7 +45,8 @@ struct Flattening_options
   /// barrier and the energy have their minimum at the same place, so that ordinary charts hardly change. The weight has
   /// no unit and must not be negative. The hierarchical method uses it in the energy of
   /// `Hierarchical_options::angle_sweeps`, and where relaxation lowers that energy
-  /// (`Hierarchical_report::relaxed_angles`).
+  /// (`Hierarchical_report::relaxed_angles`). Of maps that are as isometric as possible, it only shapes crushed
+  /// triangles.
   double barrier = 0.1;
 
   /// Number of threads that work at once, at most 1024; 0 for one on each processor. It has no effect unless the program
@@ -54,6 +55,14 @@ struct Flattening_options
 
   /// What happens to a chart with more than one border. Other charts ignore this option.
   Holes holes = SOLVE;
+
+  /// Whether something else may take the place of the method if it fails; otherwise, its failure is an error. The
+  /// direct method then tries other strategies than Newton's method from the target angles, and
+  /// `ABF_plus_plus_report::strategy` names the one that gave the result. The hierarchical method starts from one
+  /// triangle if no coarse chart can be flattened or refined, or fills holes that cannot be solved;
+  /// `Hierarchical_report::note` says so. Without fallbacks, its error is `Diagnosis::COARSE_CHART_FAILED`. Injective
+  /// maps of the hierarchical method need no fallback.
+  bool fallbacks = true;
 
   /// Whether the map must be globally injective: no two triangles overlap. The result is then an injective map or an
   /// error. The hierarchical method starts from Tutte's map of a coarse chart, stays injective on each level, and does
@@ -73,13 +82,13 @@ struct Flattening_options
   double area_weight = 0.005;
 
   /// The distance below which parts of the border of an injective map repel each other, in lengths of the shorter of
-  /// the edges there; above 0 and at most 1.
+  /// the edges there; above 0 and at most 1. Like `area_weight`, it may only be set together with `injective`.
   double clearance = 0.25;
 
   /// How much more than two pins (`ABF_plus_plus_parameterizer_3::set_pins()`) count against angles. If it is infinite,
   /// they are exactly at their positions. Otherwise, they are drawn there: with the weight 1, pins that are missed by a
   /// tenth of the width of the map cost as much as a change of all angles by about a tenth of a radian. The weight has
-  /// no unit and must be positive.
+  /// no unit and must be positive. It may only be set together with pins; one or two are always at their positions.
   double pin_weight = (std::numeric_limits<double>::infinity)();
 
   /// If not null, this visitor follows the progress and may stop the computation. A coarse parameterizer and
@@ -160,11 +169,6 @@ struct ABF_plus_plus_options : Flattening_options
   /// see `ABF_plus_plus_report::largest_seam_jump`.
   std::optional<bool> equal_seam_lengths;
 
-  /// Whether fallback strategies are tried if Newton's method from the target angles gives no valid map.
-  /// `ABF_plus_plus_report::strategy` names the strategy that gave the result. If this is `false`, the failure is an
-  /// error.
-  bool fallbacks = true;
-
   /// Whether a call of `parameterize()` starts from the angles of the last call on this parameterizer, or on a copy, if
   /// the component has the same triangles in the same order. That saves Newton steps if the points, the importance or
   /// the prescribed angles changed little. The map is the same up to the tolerances, but not to the last digit. It is
@@ -180,11 +184,11 @@ struct ABF_plus_plus_options : Flattening_options
 struct Hierarchical_options : Flattening_options
 {
   /// Fraction of the vertices that is removed before the coarse chart is flattened, in (0, 1). The paper uses 0.95.
-  /// Injective maps ignore this option and `coarse_triangles`: they start from about 300 vertices.
+  /// Injective maps start from about 300 vertices: neither this option nor `coarse_triangles` goes with them.
   double simplification_rate = 0.95;
 
-  /// Number of triangles of the coarse chart. If not 0, it replaces `simplification_rate`. At least about 200
-  /// triangles always remain.
+  /// Number of triangles of the coarse chart. If not 0, it replaces `simplification_rate`, which then keeps its default.
+  /// At least about 200 triangles always remain.
   int coarse_triangles = 0;
 
   /// Coarsening makes no angle smaller than this angle, or larger than \f$\pi\f$ minus this angle, in radians. The
@@ -202,19 +206,22 @@ struct Hierarchical_options : Flattening_options
   int angle_sweeps = 0;
 
   /// The final sweeps end when a sweep lowers the energy by less than this fraction; below 1. With 0, all sweeps are
-  /// done.
+  /// done. It may only be set together with `angle_sweeps`.
   double energy_tolerance = 0;
 
-  /// How often a coarse chart that cannot be flattened is replaced by a finer one. Refinement then starts from one
-  /// triangle, without a solver.
+  /// How often a coarse chart that cannot be flattened is replaced by a finer one
+  /// (`Hierarchical_report::failed_coarse_charts`). Refinement then starts from one triangle, without a solver, unless
+  /// `Flattening_options::fallbacks` is `false`.
   int max_retries = 3;
 
   /// Whether the direct solver starts from the angles of the refined map. This lowers the distortion to that of the
   /// direct method. For injective maps, Newton's method lowers the same energy by moving the vertices, so that the map
-  /// stays injective. It uses the same solver traits, and ignores `polish_options` except for its time limit.
+  /// stays injective. It uses the same solver traits; of `polish_options`, only the time limit applies.
   bool polish = false;
 
-  /// Options of the direct solver that polishes. The solver of its linear systems is a template parameter of the
+  /// Options of the direct solver that polishes: `barrier`, `visitor` and `time_limit` of `Flattening_options`, and
+  /// tolerances, `max_iterations`, `step`, `linear_solver` and `layout`. All others, and all without `polish`, keep their
+  /// defaults. The solver of its linear systems is a template parameter of the
   /// parameterizer. `Flattening_options::time_limit` of these options is no error: the map stays as it was before
   /// (`Hierarchical_report::polishing_timed_out`).
   ABF_plus_plus_options polish_options;

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -145,6 +146,40 @@ inline Error_code error_code(Diagnosis diagnosis)
   }
 }
 
+#ifndef DOXYGEN_RUNNING
+namespace internal::ABF {
+
+// The name of an error code. (CGAL's `get_error_message()` confuses them before CGAL 6.1.)
+inline std::string name_of_error(Error_code error)
+{
+  switch(error) {
+  case OK:
+    return "OK";
+  case ERROR_EMPTY_MESH:
+    return "ERROR_EMPTY_MESH";
+  case ERROR_NON_TRIANGULAR_MESH:
+    return "ERROR_NON_TRIANGULAR_MESH";
+  case ERROR_NO_TOPOLOGICAL_DISC:
+    return "ERROR_NO_TOPOLOGICAL_DISC";
+  case ERROR_NO_TOPOLOGICAL_BALL:
+    return "ERROR_NO_TOPOLOGICAL_BALL";
+  case ERROR_BORDER_TOO_SHORT:
+    return "ERROR_BORDER_TOO_SHORT";
+  case ERROR_NON_CONVEX_BORDER:
+    return "ERROR_NON_CONVEX_BORDER";
+  case ERROR_CANNOT_SOLVE_LINEAR_SYSTEM:
+    return "ERROR_CANNOT_SOLVE_LINEAR_SYSTEM";
+  case ERROR_NO_1_TO_1_MAPPING:
+    return "ERROR_NO_1_TO_1_MAPPING";
+  case ERROR_WRONG_PARAMETER:
+    return "ERROR_WRONG_PARAMETER";
+  }
+  return "the unknown error code " + std::to_string(static_cast<int>(error));
+}
+
+} // namespace internal::ABF
+#endif // DOXYGEN_RUNNING
+
 /// \ingroup PkgAngleBasedFlatteningRef
 ///
 /// One step of the angle solver.
@@ -258,12 +293,37 @@ struct Hierarchical_report : Flattening_report
     TUTTE_MAP              ///< Tutte's map of the coarse chart to a circle (`Flattening_options::injective`).
   };
 
+  /// A coarse chart of which the coarse parameterizer gave no valid map.
+  struct Failed_coarse_chart
+  {
+    int vertices;  ///< Vertices of the coarse chart.
+    int triangles; ///< Triangles of the coarse chart.
+
+    /// The code that the coarse parameterizer returned: `OK` with a map that is not valid. None if it threw an
+    /// exception, or was not called because the scale would vary too much (`Diagnosis::SCALE_TOO_LARGE`).
+    std::optional<Error_code> error;
+
+    /// Triangles of its map that are not positively oriented. Without a map, 0, or what the report of an
+    /// `ABF_plus_plus_parameterizer_3` says.
+    int flipped_triangles;
+    std::string message; ///< What was wrong, as a sentence.
+  };
+
   int levels = 0;                     ///< Levels of collapses above the coarse chart.
   int coarse_vertices = 0;            ///< Vertices of the coarse chart.
   int coarse_triangles = 0;           ///< Triangles of the coarse chart.
   Start start = COARSE_PARAMETERIZER; ///< Where the refinement started.
   bool holes_filled = false; ///< Whether holes were filled, by request or because they could not be solved.
-  int retries = 0;           ///< Number of coarse charts that could not be flattened.
+
+  /// The coarse charts that could not be flattened, in the order in which they were tried: each is finer than the one
+  /// before. Charts with holes that were filled later are among them.
+  std::vector<Failed_coarse_chart> failed_coarse_charts;
+
+  /// A sentence on what took the place of the coarse parameterizer's map, and why; empty if that map was refined, or
+  /// without a result. The default coarse parameterizer has fallbacks of its own: if its map is a progressive
+  /// embedding, the sentence says so, too.
+  std::string note;
+
   int kernel_insertions = 0; ///< Number of vertices that were inserted at the centre of a kernel.
   int moves = 0;             ///< Number of vertices that relaxation moved.
   int rejected_moves = 0;    ///< Number of vertices that relaxation did not move.

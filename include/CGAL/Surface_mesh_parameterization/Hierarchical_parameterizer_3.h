@@ -85,13 +85,15 @@ SolverTraits solver_traits_of(const Parameterizer& parameterizer)
   }
 }
 
-// A coarse parameterizer that takes what the hierarchical one takes: charts with holes, if they are solved
+// A coarse parameterizer with the same options as the hierarchical one
 template <typename Parameterizer>
 Parameterizer coarse_parameterizer_for(const Hierarchical_options& options)
 {
   if constexpr(std::is_constructible<Parameterizer, const ABF_plus_plus_options&>::value) {
     ABF_plus_plus_options coarse;
+    coarse.barrier = options.barrier;
     coarse.holes = options.holes;
+    coarse.fallbacks = options.fallbacks;
     return Parameterizer(coarse);
   } else {
     (void)options;
@@ -121,7 +123,8 @@ typedef CGAL::Surface_mesh<internal::ABF::Chart::Point_3> Hierarchical_coarse_me
 ///
 /// Half-edge collapses remove vertices in levels of independent vertices, cheapest first. The cost of a collapse is
 /// the volume that it sweeps. If the coarse chart cannot be flattened, finer charts are tried. The last resort is a
-/// single triangle, which needs no solver.
+/// single triangle, which needs no solver. `Hierarchical_report` lists the charts that failed, and notes the last
+/// resort; without `Flattening_options::fallbacks`, it is an error.
 ///
 /// \cgalModels{Parameterizer_3}
 ///
@@ -129,8 +132,9 @@ typedef CGAL::Surface_mesh<internal::ABF::Chart::Point_3> Hierarchical_coarse_me
 ///
 /// \tparam CoarseParameterizer_ must be a model of `Parameterizer_3` for `Hierarchical_coarse_mesh`, with the nested
 ///         types `Triangle_mesh` and `Solver_traits` that the parameterizers of \cgal have. If it returns flipped
-///         triangles or an error, a finer chart is tried. With `LSCM_parameterizer_3` the method is hierarchical
-///         LSCM.<br>
+///         triangles or an error, or throws a `CGAL::Failure_exception`, a finer chart is tried. Other exceptions pass
+///         through. With `LSCM_parameterizer_3` the method is hierarchical LSCM (\ref ABF_coarse_methods "how often
+///         it serves").<br>
 ///         <b>%Default:</b> `ABF_plus_plus_parameterizer_3<Hierarchical_coarse_mesh>`
 ///
 /// \tparam SolverTraits_ solves the linear systems of polishing (`Hierarchical_options::polish`); see
@@ -179,7 +183,7 @@ public:
   typedef typename boost::graph_traits<Triangle_mesh>::face_descriptor face_descriptor;
 
   /// constructs a parameterizer from `options`. The coarse parameterizer is default constructed. If its constructor
-  /// takes `ABF_plus_plus_options`, it gets the same `Flattening_options::holes`.
+  /// takes `ABF_plus_plus_options`, it gets the same `barrier`, `holes` and `fallbacks` of `Flattening_options`.
   explicit Hierarchical_parameterizer_3(const Hierarchical_options& options = Hierarchical_options())
       : Hierarchical_parameterizer_3(options,
                                      internal::ABF::coarse_parameterizer_for<Coarse_parameterizer>(options))
@@ -250,7 +254,8 @@ public:
   /// \return `OK` only if every triangle is positively oriented. Otherwise, `report()` contains the reason. The code is
   /// an error code for the input, as from `ABF_plus_plus_parameterizer_3::parameterize()`, or `ERROR_NO_1_TO_1_MAPPING`
   /// if there is no valid map, none was found, or a visitor or `Flattening_options::time_limit` stopped the
-  /// computation. Errors of the coarse parameterizer are not errors of this function.
+  /// computation. Errors of the coarse parameterizer are not errors of this
+  /// function, unless `Flattening_options::fallbacks` is `false`.
   template <typename VertexUVmap, typename VertexIndexMap, typename VertexParameterizedMap>
   Error_code parameterize(Triangle_mesh& mesh, halfedge_descriptor bhd, VertexUVmap uvmap,
                           VertexIndexMap vimap, VertexParameterizedMap vpmap)
@@ -261,6 +266,7 @@ public:
     prescriptions.equal_seam_lengths = false;
     prescriptions.points = m_points;
     prescriptions.numbers = m_numbers;
+    prescriptions.may_have_pins = bool(m_pins);
     prescriptions.pins = internal::ABF::with_parameterized_vertices<Triangle_mesh>(m_pins, uvmap, vpmap);
     const auto outcome = internal::ABF::run_parameterizer<Hierarchical_report>(
         mesh, bhd, uvmap, vimap, prescriptions, m_options, m_linear_algebra,

@@ -26,7 +26,8 @@ struct Seam_options
   /// The largest predicted \f$L_2\f$ stretch of a disk; at least 1. With infinity, the surface is only cut to disks.
   double stretch_bound = 1.1;
 
-  /// The largest number of terminals of each part: vertices that seams lead to because of their scale. At least 0.
+  /// The largest number of terminals of each part: vertices that seams lead to because of their scale. At least 0. It
+  /// needs a finite `stretch_bound`.
   int maximum_number_of_terminals = 100;
 
   /// The longest time that the computation may take, in seconds; see `Flattening_options::time_limit`.
@@ -105,8 +106,9 @@ struct Atlas_options : Seam_options, Packing_options
     REPAIR ///< The same, but charts that are flipped, overlap themselves or have no coordinates are flattened anew.
   };
 
-  /// How charts are given. If they are not replaced, `uv` must be a model of `ReadWritePropertyMap`, and charts are not
-  /// cut by their price.
+  /// How charts are given. If they are not replaced, `uv` must be a model of `ReadWritePropertyMap`, charts are not cut
+  /// by their price, and `seam_price` keeps the default for a purpose. With `KEEP`, so do `stretch_bound`, `area_weight`
+  /// and `maximum_number_of_terminals`.
   Given_charts given_charts = REPLACE;
 
   /// How much injective maps preserve areas, from 0 to 1 (see `Flattening_options::area_weight`). The default is larger
@@ -132,7 +134,7 @@ struct Atlas_options : Seam_options, Packing_options
   bool equal_seam_lengths = false;
 
   /// Whether the charts are packed into the unit square. Otherwise, each chart has the same area as on the surface, and
-  /// the lower left corner of its bounding box is the origin.
+  /// the lower left corner of its bounding box is the origin, and options of packing keep their defaults.
   bool pack_into_square = true;
 
   /// Whether coordinates are rounded to numbers of type `float` before they are certified, whatever the number type of

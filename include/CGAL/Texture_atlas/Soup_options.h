@@ -48,7 +48,8 @@ struct Soup_options : Atlas_options
 
   /// Whether vertices at the same place are joined where that gives a surface.
   bool weld = true;
-  double weld_tolerance = 0; ///< The distance of points that count as the same place.
+  double weld_tolerance =
+      0; ///< The distance of points that count as the same place; it needs `weld` and `repair`.
 
   /// Whether polygons that do not form a manifold are separated, turned or left out. Otherwise, all polygons that hang
   /// together with such ones are left out, and nothing is joined.

@@ -233,8 +233,11 @@ private:
     options.visitor = m_visitor;
     const auto flatten_coarse = [&](const Chart& coarse) -> Coarse_map {
       Flattening<ABF_plus_plus_report> map = flatten_chart(coarse, direct, m_solvers, &leave_as_it_is);
-      if(!map.succeeded())
-        return {std::nullopt};
+      if(!map.succeeded()) {
+        Coarse_map none(std::nullopt);
+        none.message = std::move(map.report.message);
+        return none;
+      }
       if(!map.report.border_is_simple && !may_overlap)
         return {std::nullopt, Diagnosis::OVERLAPPING};
       return {std::move(map.uv)};

@@ -9,6 +9,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Flattening_measures.h>
+#include <CGAL/Surface_mesh_parameterization/Flattening_report.h>
 #include <CGAL/Texture_atlas/Atlas_options.h>
 #include <CGAL/Texture_atlas/Atlas_report.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
@@ -74,6 +75,21 @@ inline void add_measures(Json& json, const Flattening_measures* measures)
   add("l2_area_distortion", &Measures::l2_area_distortion);
   add("symmetric_dirichlet_energy", &Measures::symmetric_dirichlet_energy);
   add("smallest_angle", &Measures::smallest_angle);
+}
+
+// Where the refinement of a map started, and what failed before
+inline void add_coarse_charts(Json& json, const Surface_mesh_parameterization::Hierarchical_report& report)
+{
+  using Surface_mesh_parameterization::internal::ABF::name_of_error;
+  json["start"] = to_string(report.start);
+  json["holes_filled"] = report.holes_filled;
+  json["failed_coarse_charts"] = json_array(report.failed_coarse_charts, [](const auto& chart) -> Json {
+    return {{"vertices", chart.vertices},
+            {"triangles", chart.triangles},
+            {"error", chart.error ? Json(name_of_error(*chart.error)) : Json()},
+            {"flipped_triangles", chart.flipped_triangles},
+            {"message", chart.message}};
+  });
 }
 
 // Of each chart: its share of the area of all charts, on the surface

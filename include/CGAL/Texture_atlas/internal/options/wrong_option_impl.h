@@ -8,17 +8,28 @@
 
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/idle_options.h>
 #include <CGAL/Texture_atlas/internal/options/option_table.h>
 #include <CGAL/Texture_atlas/internal/options/wrong_option.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace CGAL::Texture_atlas::internal {
 
+inline std::string idle_seam_option(const Seam_options& options, const Option_names& changed)
+{
+  return Idle_options(changed)
+      .check(std::isinf(options.stretch_bound), {"maximum_number_of_terminals"},
+             "with an infinite stretch_bound, the surface is only cut to disks")
+      .wrong();
+}
+
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Seam_options& options)
 {
-  return option_out_of_range(options);
+  const std::string wrong = option_out_of_range(options);
+  return wrong.empty() ? idle_seam_option(options, changed_options(options)) : wrong;
 }
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Packing_options& options)
@@ -31,7 +42,6 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Packing_option
   return wrong;
 }
 
-// Charts that are not packed have no page.
 // What is wrong with the gutter of a page, or nothing
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_gutter(const Packing_options& options)
 {
@@ -42,24 +52,59 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_gutter(const Packing_option
                    std::to_string(most) + ", a quarter of the shorter side of a page";
 }
 
-// Options of pages do not matter to charts in rows.
+// The options that differ from the defaults for each purpose
 template <class Options>
-std::string wrong_atlas_option(Options options)
+Option_names changed_atlas_options(const Options& options)
 {
-  if(!options.pack_into_square)
-    static_cast<Packing_options&>(options) = Packing_options();
-  const std::string wrong = option_out_of_range(options);
-  return wrong.empty() ? wrong_option(static_cast<const Packing_options&>(options)) : wrong;
+  return changed_options(options, {Options(Atlas_options::TEXTURE), Options(Atlas_options::FEW_CHARTS),
+                                   Options(Atlas_options::CONFORMAL)});
+}
+
+inline std::string idle_atlas_option(const Atlas_options& options, const Option_names& changed)
+{
+  const std::string wrong = idle_seam_option(options, changed);
+  if(!wrong.empty())
+    return wrong;
+  Idle_options idle(changed);
+  idle.check(
+          !options.pack_into_square,
+          {"resolution", "height", "gutter", "block", "texels_per_unit", "number_of_rotations", "seam_price"},
+          "charts that are not packed have no page; set pack_into_square")
+      .check(options.given_charts != Atlas_options::REPLACE, {"seam_price"},
+             "charts that are given are not cut in two")
+      .check(options.given_charts == Atlas_options::KEEP, {"maximum_number_of_terminals", "area_weight"},
+             "charts that are kept are neither cut nor flattened")
+      .check(options.given_charts == Atlas_options::KEEP && options.stretch_bound != 2, {"stretch_bound"},
+             "charts that are kept are not flattened");
+  return idle.wrong();
 }
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Atlas_options& options)
 {
-  return wrong_atlas_option(options);
+  std::string wrong = option_out_of_range(options);
+  if(wrong.empty())
+    wrong = wrong_option(static_cast<const Packing_options&>(options));
+  return wrong.empty() ? idle_atlas_option(options, changed_atlas_options(options)) : wrong;
 }
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Soup_options& options)
 {
-  return wrong_atlas_option(options);
+  std::string wrong = option_out_of_range(options);
+  if(wrong.empty())
+    wrong = wrong_option(static_cast<const Atlas_options&>(options));
+  if(!wrong.empty())
+    return wrong;
+  const bool are_given = options.given_charts != Atlas_options::REPLACE;
+  const std::string have_seams = " would have no effect: charts that are kept or repaired have their seams";
+  if(are_given && options.seams != Soup_options::AUTO && options.seams != Soup_options::LENGTH)
+    return "seams" + have_seams;
+  if(are_given && (options.texture_seams || options.material_seams))
+    return (options.texture_seams ? "texture_seams" : "material_seams") + have_seams;
+  return Idle_options(changed_atlas_options(options))
+      .check(options.seams != Soup_options::CREASES, {"crease_angle"}, "set seams to CREASES, too")
+      .check(!options.weld || !options.repair, {"weld_tolerance"},
+             "without weld and repair, nothing is joined")
+      .wrong();
 }
 
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Baking_options& options)

@@ -59,14 +59,21 @@ inline bool is_valid_map(const Corner_table& chart, const std::vector<Corner_tab
   return flipped_triangles(chart.vertex, points).empty() && multiply_wound_triangles(chart, points).empty();
 }
 
-inline Certificate certify(const Corner_table& chart, const std::vector<Corner_table::Point_2>& uv)
+// The first two members of a certificate, also of coordinates that are not finite
+inline Certificate certify_triangles(const Corner_table& chart, const std::vector<Exact_point_2>& points)
 {
-  const std::vector<Exact_point_2> points = exact_points(uv);
   Certificate certificate;
   certificate.invalid = flipped_triangles(chart.vertex, points);
   certificate.flipped_triangles = static_cast<int>(certificate.invalid.size());
   if(certificate.invalid.empty())
     certificate.invalid = multiply_wound_triangles(chart, points);
+  return certificate;
+}
+
+inline Certificate certify(const Corner_table& chart, const std::vector<Corner_table::Point_2>& uv)
+{
+  const std::vector<Exact_point_2> points = exact_points(uv);
+  Certificate certificate = certify_triangles(chart, points);
   certificate.border_is_simple = is_border_simple(chart, points);
   certificate.smallest_angle = smallest_angle(chart, uv);
   certificate.scale_range = scale_range(chart, uv);

@@ -15,6 +15,7 @@
 #include <CGAL/license/Surface_mesh_parameterization.h>
 
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/chart.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
 
@@ -27,6 +28,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -89,7 +91,7 @@ struct Flattening
 typedef void (*Rounding)(std::vector<Chart::Point_2>&);
 
 // What becomes of a coarse chart: its map, or nothing if finer charts are to be tried. A diagnosis ends the run with
-// it.
+// it. The rest is what a coarse parameterizer tells of its map, or of its failure.
 struct Coarse_map
 {
   Coarse_map(std::optional<std::vector<Chart::Point_2>> map, Diagnosis end = Diagnosis::NOTHING_WRONG)
@@ -98,6 +100,10 @@ struct Coarse_map
 
   std::optional<std::vector<Chart::Point_2>> uv;
   Diagnosis status;
+  std::optional<Error_code> error; // that was returned
+  int flipped_triangles = 0;       // if there is no map
+  std::string message;             // why there is no map
+  std::string note;                // what the map is, if not what was asked for
 };
 
 typedef std::function<Coarse_map(const Chart&)> Coarse_flattening;

@@ -165,6 +165,7 @@ struct Prescriptions
   Vertex_points<TriangleMesh> points;   // of the mesh if it is empty
   Vertex_numbers<TriangleMesh> numbers; // positions if it is empty
   Vertex_pins<TriangleMesh> pins;
+  bool may_have_pins = false; // whether the caller gave a map of them
 
   template <typename HalfedgeSideMap>
   void set_seam_sides(HalfedgeSideMap sides)
@@ -183,6 +184,11 @@ struct Prescriptions
 
   Chart_defect find_conflict() const
   {
+    if(equal_seam_lengths.value_or(false) && !seam_sides && !Seam_sides<TriangleMesh>::has_seams)
+      return {Diagnosis::WRONG_OPTION,
+              "equal_seam_lengths would have no effect: take a Seam_mesh, or call set_seam_sides()",
+              {},
+              {}};
     if(!angle_sums.of_surface || wants_equal_seams())
       return {};
     return {Diagnosis::WRONG_OPTION,

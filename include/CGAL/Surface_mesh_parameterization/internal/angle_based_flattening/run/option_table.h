@@ -135,6 +135,8 @@ void visit_options(Flattening_options& options, const Visit& visit)
       "holes", options.holes, Option_words{{"solve", "fill", "refuse"}},
       "solve: holes take the shape that changes angles least. fill: soft triangles cover the holes while the "
       "surface is flattened, so that their borders stay simple. refuse: a surface with holes is an error");
+  visit("fallbacks", options.fallbacks, Option_switch(),
+        "whether something else may take the place of the method if it fails; otherwise, that is an error");
   visit("injective", options.injective, Option_switch(),
         "no two triangles of the map overlap, and no seam is added: the border is kept from touching itself, "
         "and "
@@ -170,8 +172,6 @@ void visit_options(ABF_plus_plus_options& options, const Visit& visit)
         "with one border. least-squares: as in the paper. auto: exact where possible");
   visit("equal_seam_lengths", options.equal_seam_lengths, Option_switch(),
         "whether both sides of each edge on a seam get equal lengths");
-  visit("fallbacks", options.fallbacks, Option_switch(),
-        "whether other strategies are tried if the first one fails");
   visit("warm_start", options.warm_start, Option_switch(),
         "whether a call starts from the angles of the last one");
 }

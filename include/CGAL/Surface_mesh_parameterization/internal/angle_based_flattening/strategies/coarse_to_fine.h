@@ -32,7 +32,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -52,8 +54,8 @@ public:
   Flattening<Hierarchical_report> run()
   {
     coarsen();
-    const bool is_solved = solve_coarse();
-    const bool is_refined = m_report.status == Diagnosis::NOTHING_WRONG && refine(is_solved);
+    m_is_solved = solve_coarse();
+    const bool is_refined = m_report.status == Diagnosis::NOTHING_WRONG && refine();
     Flattening<Hierarchical_report> result;
     result.uv.reserve(m_uv.size());
     for(const Planar_point& p : m_uv)
@@ -80,14 +82,30 @@ private:
     m_coarsening.coarsen(coarse_size(), m_options.extreme_angle, m_options.visitor);
   }
 
-  bool refine(bool is_solved)
+  bool refine()
   {
     const Stage stage(m_options.visitor, Flattening_visitor::REFINE, m_report.seconds.refine);
-    bool is_refined = is_solved && undo_all_levels();
+    if(m_is_solved && undo_all_levels())
+      return true;
+    if(!m_options.fallbacks)
+      return false;
     // A refinement that fails leaves a finer chart than before, which is made coarser in another way.
+    bool is_refined = false;
     for(int attempt = 0; !is_refined && attempt < 3; ++attempt)
       is_refined = start_without_solver() && undo_all_levels();
+    if(is_refined)
+      m_report.note = "refinement started from one triangle: " +
+                      (m_is_solved ? std::string("the map of the coarse chart could not be refined")
+                                   : failure_of_coarse_charts(m_report));
     return is_refined;
+  }
+
+  static std::string failure_of_coarse_charts(const Hierarchical_report& report)
+  {
+    const std::size_t n = report.failed_coarse_charts.size();
+    return "the coarse parameterizer gave no valid map of " +
+           (n == 1 ? std::string("the coarse chart") : std::to_string(n) + " coarse charts") + "; " +
+           (n == 1 ? "" : "of the last one, ") + report.failed_coarse_charts.back().message;
   }
 
   bool undo_all_levels()
@@ -124,9 +142,14 @@ private:
     m_report.energy = descent.energy();
   }
 
-  static void explain_failure(Hierarchical_report& report)
+  void explain_failure(Hierarchical_report& report) const
   {
-    if(report.borders > 1)
+    if(!m_options.fallbacks && !m_is_solved)
+      fail(report, Diagnosis::COARSE_CHART_FAILED, failure_of_coarse_charts(report));
+    else if(!m_options.fallbacks)
+      fail(report, Diagnosis::PRECISION_EXCEEDED,
+           "the map of the coarse chart could not be refined in double precision");
+    else if(report.borders > 1)
       fail(report, Diagnosis::NO_CONVERGENCE,
            "no coarse chart could be flattened, and with several borders there is no other start");
     else
@@ -143,21 +166,35 @@ private:
       m_report.levels = m_coarsening.number_of_levels();
       m_report.coarse_vertices = coarse.chart.number_of_vertices();
       m_report.coarse_triangles = coarse.chart.number_of_triangles();
-      const auto [uv, status] = m_solve(coarse.chart);
-      m_report.status = status;
-      if(status != Diagnosis::NOTHING_WRONG)
+      const Coarse_map map = m_solve(coarse.chart);
+      m_report.status = map.status;
+      if(map.status != Diagnosis::NOTHING_WRONG)
         return false;
-      if(uv && is_valid_map(coarse.chart, *uv)) {
-        take(coarse, *uv);
+      if(map.uv && is_valid_map(coarse.chart, *map.uv)) {
+        take(coarse, *map.uv);
+        m_report.note = map.note;
         return true;
       }
+      note_failure(coarse.chart, map);
       if(attempt == m_options.max_retries || m_coarsening.number_of_levels() == 0)
         return false;
-      ++m_report.retries;
       const double finer = 1.5 * m_coarsening.number_of_vertices();
       while(m_coarsening.number_of_levels() > 0 && m_coarsening.number_of_vertices() < finer)
         m_coarsening.undo_level();
     }
+  }
+
+  void note_failure(const Chart& coarse, const Coarse_map& map)
+  {
+    Hierarchical_report::Failed_coarse_chart failure = {
+        coarse.number_of_vertices(), coarse.number_of_triangles(), map.error, map.flipped_triangles,
+        map.message.empty() ? "it has no map" : map.message};
+    if(map.uv) {
+      const Certificate certificate = certify_triangles(coarse, exact_points(*map.uv));
+      failure.flipped_triangles = certificate.flipped_triangles;
+      failure.message = "the map has " + describe_invalid(coarse, certificate);
+    }
+    m_report.failed_coarse_charts.push_back(std::move(failure));
   }
 
   // Collapses the chart to one triangle, which has a valid map without any solver. Inserting the vertices again makes a
@@ -198,6 +235,7 @@ private:
   const Hierarchical_options& m_options;
   const Coarse_flattening& m_solve;
   Hierarchical_report m_report;
+  bool m_is_solved = false;       // the coarse chart
   std::vector<Planar_point> m_uv; // of each vertex of the last stage of the coarsening
 };
 

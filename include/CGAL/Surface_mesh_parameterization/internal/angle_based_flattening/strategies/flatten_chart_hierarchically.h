@@ -102,7 +102,11 @@ inline Flattening<Hierarchical_report> refined_map(Chart& chart, const Hierarchi
   const Coarse_flattening flatten_if_possible = [&](const Chart& coarse) -> Coarse_map {
     prediction = Hierarchical_report();
     limit_scale(coarse, solvers, prediction);
-    return prediction.status == Diagnosis::NOTHING_WRONG ? flatten_coarse(coarse) : Coarse_map(std::nullopt);
+    if(prediction.status == Diagnosis::NOTHING_WRONG)
+      return flatten_coarse(coarse);
+    Coarse_map none(std::nullopt);
+    none.message = prediction.message;
+    return none;
   };
   Flattening<Hierarchical_report> result = flatten_coarse_to_fine(chart, options, flatten_if_possible);
   result.report.predicted_scale_range = prediction.predicted_scale_range;
@@ -151,14 +155,26 @@ inline Flattening<Hierarchical_report> refined_map_with_holes(Chart& chart,
                                                               const Coarse_flattening& flatten_coarse,
                                                               const Linear_solvers& solvers)
 {
-  if(options.injective || options.holes == Flattening_options::FILL || has_many_holes(chart, options))
+  if(options.injective || options.holes == Flattening_options::FILL)
     return refined_map_of_filled(chart, options, flatten_coarse, solvers);
-  const Chart original = chart;
-  Flattening<Hierarchical_report> result = refined_map(chart, options, flatten_coarse, solvers);
-  if(result.report.status != Diagnosis::NO_CONVERGENCE)
-    return result;
-  chart = original;
-  return refined_map_of_filled(chart, options, flatten_coarse, solvers);
+  std::vector<Hierarchical_report::Failed_coarse_chart> failed;
+  std::string reason = "the coarse chart would consist of little but holes";
+  if(!options.fallbacks || !has_many_holes(chart, options)) {
+    const Chart original = chart;
+    Flattening<Hierarchical_report> result = refined_map(chart, options, flatten_coarse, solvers);
+    if(result.report.status != Diagnosis::NO_CONVERGENCE)
+      return result;
+    chart = original;
+    failed = std::move(result.report.failed_coarse_charts);
+    reason = failed.empty() ? result.report.message : failed.back().message;
+  }
+  Flattening<Hierarchical_report> result = refined_map_of_filled(chart, options, flatten_coarse, solvers);
+  Hierarchical_report& report = result.report;
+  report.failed_coarse_charts.insert(report.failed_coarse_charts.begin(), failed.begin(), failed.end());
+  if(result.succeeded())
+    report.note =
+        "holes were filled instead of solved: " + reason + (report.note.empty() ? "" : "; ") + report.note;
+  return result;
 }
 
 // Why a map that was computed to be valid is not, after it was scaled and rounded

@@ -38,6 +38,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/strategies/pin_map.h>
 #endif
 
+#include <cmath>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -192,6 +193,11 @@ run_parameterizer(const TriangleMesh& mesh,
         outcome->name_offenders(reader, defect.vertices, defect.triangles);
         return;
       }
+    }
+    if(!prescriptions.may_have_pins && reader.chart.pins.empty() && !std::isinf(options.pin_weight)) {
+      fail(report, Diagnosis::WRONG_OPTION,
+           "pin_weight would have no effect: there are no pins, see set_pins()");
+      return;
     }
     // A map with pins is rounded when it has been moved to them.
     const Rounding round = &round_to_points<typename boost::property_traits<VertexUVmap>::value_type>;
