@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/corner_table.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/diagnose.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/read_chart.h>
+#include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/vertex_names.h>
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/run/named_parameters.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -30,7 +31,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -84,7 +85,10 @@ public:
       const int v = m_chart.edge_source(*c);
       const bool is_next = side < 3 && is_corner(*c, side + 1);
       if(!is_next && std::find(m_corners.begin(), m_corners.end(), v) != m_corners.end())
-        return {Diagnosis::WRONG_OPTION, "the corners of a rectangle are not counterclockwise", {v}, {}};
+        return {Diagnosis::WRONG_OPTION,
+                vertex_text(m_chart, v) + " comes too early among the corners: they are not counterclockwise",
+                {v},
+                {}};
       side += is_next ? 1 : 0;
       Planar_point p = m_uv[v];
       p[(side + 1) % 2] = side == 1 || side == 2 ? 1 : 0;
@@ -92,7 +96,8 @@ public:
         p = Planar_point(side == 1 || side == 2 ? 1 : 0, side >= 2 ? 1 : 0);
       if(!((p - m_uv[v]).norm() <= tolerance))
         return {Diagnosis::WRONG_OPTION,
-                "a border vertex is not on a side of a rectangle with these corners",
+                vertex_text(m_chart, v) +
+                    " is on the border, and not on a side of a rectangle with these corners",
                 {v},
                 {}};
       m_uv[v] = p;
@@ -182,7 +187,10 @@ fit_rectangle(const TriangleMesh& mesh, VertexUVMap uvmap,
       return reader.vertex_descriptors[reader.chart.edge_source(corner)] == corners[i];
     });
     if(c == border.end()) {
-      fail({Diagnosis::NOT_ON_BORDER, "a corner is not on the border of the first one", {}, {}});
+      fail({Diagnosis::NOT_ON_BORDER,
+            vertex_of_mesh_text(mesh, corners[i]) + " is a corner, and is not on the border of the first one",
+            {},
+            {}});
       report.offending_vertices = {corners[i]};
       return report;
     }
