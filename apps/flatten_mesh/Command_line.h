@@ -80,6 +80,10 @@ struct Command_line
   std::string chart_image;
   std::string json;
   std::string seams_to;
+  bool triangles = false;               // in the output, instead of polygons
+  std::string ply_coordinates = "face"; // or "vertex"
+  std::string texture;                  // a picture that the output names, "checkerboard", or empty
+  bool has_placeholder_texture = false;
   bool is_plain = false;
   Atlas_command atlas;
   Batch_options batch;

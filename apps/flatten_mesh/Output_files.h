@@ -14,6 +14,7 @@
 #include "flatten_mesh/check_outputs.h"
 #include "flatten_mesh/commands_of_inputs.h"
 #include "flatten_mesh/file_names.h"
+#include "flatten_mesh/texture_option.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -88,6 +89,9 @@ inline void check_writable(const Command_line& command)
     for(const internal::Output_option& option : internal::output_options()) {
       make_folder(each.batch, each.*option.file);
       Output_file::check(each.*option.file);
+    }
+    for(const std::string& file : files_of_texture(each)) {
+      Output_file::check(file);
     }
   }
   for(const std::string& file : baked_files(command)) {

@@ -362,6 +362,9 @@ inline void check_names_of_files(const Values& values, const Command_line& comma
   if(values.count("bake-from") != 0 && command.atlas.bake_from.empty()) {
     empty.push_back("bake-from");
   }
+  if(values.count("texture") != 0 && command.texture.empty()) {
+    empty.push_back("texture");
+  }
   if(!empty.empty()) {
     throw Usage_error("the name after --" + empty.front() + " is empty: give the name of a file");
   }

@@ -10,6 +10,7 @@
 #include "flatten_mesh/bake/baked_files.h"
 #include "flatten_mesh/file_names.h"
 #include "flatten_mesh/texts.h"
+#include "flatten_mesh/texture_option.h"
 
 #include <boost/algorithm/string/join.hpp>
 
@@ -135,6 +136,31 @@ inline void check_baking_files(const Command_line& command)
   }
 }
 
+// What `--texture` writes overwrites nothing, and no output overwrites the picture, except the image of charts.
+inline void check_texture_files(const Command_line& command)
+{
+  if(command.texture.empty() || command.output.empty()) {
+    return;
+  }
+  const std::vector<std::string> written = files_of_texture(command);
+  for(const std::string& file : written) {
+    if(is_same_file(file, command.input)) {
+      throw Output_error("'" + file + "' would overwrite the input: choose another name");
+    }
+  }
+  for(const Output_option& option : output_options()) {
+    const std::string& file = command.*option.file;
+    for(const std::string& other : written) {
+      if(!file.empty()) {
+        check_different(option, {"texture", nullptr, {}}, file, other);
+      }
+    }
+    if(!file.empty() && option.name != "chart-image") {
+      check_different(option, {"texture", nullptr, {}}, file, texture_file(command));
+    }
+  }
+}
+
 } // namespace internal
 
 // Throws unless the names of the outputs fit their formats and lead to different files.
@@ -144,6 +170,7 @@ inline void check_outputs(const Command_line& command)
     internal::check_output(command, option);
   }
   internal::check_baking_files(command);
+  internal::check_texture_files(command);
 }
 
 inline bool takes_standard_output(const Command_line& command)

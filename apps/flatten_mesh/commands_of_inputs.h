@@ -33,6 +33,7 @@ inline Command_line command_of_input(Command_line command, const std::string& in
   const std::string name = name_for_outputs(command.batch, input);
   boost::replace_all(command.atlas.seams_from, placeholder, name);
   boost::replace_all(command.atlas.bake_from, placeholder, name);
+  boost::replace_all(command.texture, placeholder, name);
   for(const internal::Output_option& option : internal::output_options()) {
     std::string& file = command.*option.file;
     for(std::size_t i = file.find(placeholder); i != file.npos; i = file.find(placeholder, i)) {

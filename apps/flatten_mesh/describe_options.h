@@ -30,12 +30,31 @@ inline void describe_file_options(Command_line& command, Option_table& table)
   table.text("format", command.format, "NAME", "of standard input and pipes: " + formats_text(", ", " or "));
   table.text(
       "output,o", command.output, "FILE.obj|ply|glb",
-      "write the model with texture coordinates at each corner; faces without chart have none. Points and "
-      "faces are those of the input, in their order; faces with a wrong orientation are turned. OBJ also "
+      "write the model with texture coordinates at each corner; faces without chart have (0, 0) there. "
+      "Points and faces are those of the input, in their order; faces with a wrong orientation are turned. "
+      "OBJ also "
       "keeps the rest of the model. PLY keeps normals and colours of points; texture coordinates are a "
       "list 'texcoord' of each face. GLB (where built with tinygltf) is binary glTF: triangles with "
       "normals, colours and materials, where v points down: 1 - v. From glTF to GLB, all else in the file "
       "stays, too; textures keep their coordinates, which become the second ones.");
+  table.flag(
+      "triangles", command.triangles,
+      "OBJ and PLY: write triangles instead of polygons, which are divided such that all triangles have "
+      "their front in front, in the plane and in space. For programs that draw polygons as fans, or read "
+      "none");
+  table.word(
+      "ply-coordinates", command.ply_coordinates, {"face", "vertex"},
+      "PLY: where texture coordinates are. face: a list 'texcoord' of each face. vertex: properties s and t, "
+      "u and v, and texture_u and texture_v of vertices, which are there several times on seams. For "
+      "programs that do not read such lists");
+  table.text("texture", command.texture, "FILE.png|checkerboard",
+             "OBJ and PLY: name this picture as the texture, also that of --chart-image, in NAME.mtl beside "
+             "NAME.obj or a comment 'TextureFile'. Some programs show, or keep, texture coordinates only "
+             "then. checkerboard: write NAME_checkerboard.png, and name it (where built with libpng)");
+  table.flag(
+      "placeholder-texture", command.has_placeholder_texture,
+      "GLB: materials get a tiny texture, which changes no colours. Tools for glTF files remove texture "
+      "coordinates that no texture refers to");
   table.text(
       "svg", command.svg, "FILE.svg",
       "draw the plane: each chart in a colour of its own, and both sides of a seam in the same colour. "

@@ -22,6 +22,9 @@ const char* const standard_input = "-";
 // In names of outputs, for the name of the input without folder and extension
 const char* const placeholder = "%";
 
+// In names of pictures, for the number of a page
+const char* const udim_placeholder = "<UDIM>";
+
 inline bool has_placeholder(const std::string& name)
 {
   return name.find(placeholder) != std::string::npos;

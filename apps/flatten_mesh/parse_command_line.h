@@ -11,6 +11,7 @@
 #include "flatten_mesh/batch/recorded_options.h"
 #include "flatten_mesh/check_one_atlas.h"
 #include "flatten_mesh/check_options.h"
+#include "flatten_mesh/check_style_options.h"
 #include "flatten_mesh/check_uv_set.h"
 #include "flatten_mesh/describe_options.h"
 #include "flatten_mesh/face_options.h"
@@ -93,6 +94,7 @@ inline void parse_command_line(const int argc, const char* const argv[], Command
   internal::check_atlas(values, command);
   internal::check_face_choice(values, command.atlas);
   internal::check_uv_set(command);
+  internal::check_style_options(command);
   internal::check_plain(values, command);
 }
 

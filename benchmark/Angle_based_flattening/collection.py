@@ -153,7 +153,8 @@ def has_wrong_map(file):
     lines = [line.split() for line in file.read_text().splitlines()]
     uvs = np.array([line[1:3] for line in lines if line[:1] == ["vt"]], float)
     corners = [[corner.split("/") for corner in line[1:]] for line in lines if line[:1] == ["f"]]
-    faces = np.array([[c[1] for c in face] for face in corners if all(len(c) > 1 and c[1] for c in face)], int) - 1
+    faces = [[c[1] for c in face if len(c) > 1] for face in corners]
+    faces = np.array([face for face in faces if len(set(face)) > 1], int) - 1  # the same at all corners stand for none
     if not len(faces):
         return False
     uvs, place = np.unique(uvs, axis=0, return_inverse=True)  # the program joins vertices, and files keep them apart

@@ -34,7 +34,7 @@ def read_obj(file: Path) -> tuple[numpy.ndarray, list[Corners], int]:
             texture.append((float(words[1]), float(words[2])))
         elif words[0] == "f":
             corners = [word.split("/") for word in words[1:]]
-            if all(len(corner) > 1 and corner[1] for corner in corners):
+            if len({corner[1] for corner in corners if len(corner) > 1}) > 1:  # the same at all corners stand for none
                 faces.append([(int(corner[0]), int(corner[1]) - 1) for corner in corners])
             else:
                 without += 1

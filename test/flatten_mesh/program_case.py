@@ -35,11 +35,11 @@ class Program_case(unittest.TestCase):
 
     @staticmethod
     def uvs(file):
-        """The coordinates of the corners of each face in an OBJ file; None where it has none"""
+        """The coordinates of the corners of each face in an OBJ file; None where it has none, or the same at all corners"""
         lines = file.read_text().splitlines() if file.exists() else []
         texture = [tuple(map(float, line.split()[1:])) for line in lines if line.startswith("vt ")]
         corners = [[corner.split("/") for corner in line.split()[1:]] for line in lines if line.startswith("f ")]
-        return [[texture[int(c[1]) - 1] for c in face] if all(len(c) > 1 and c[1] for c in face) else None
+        return [[texture[int(c[1]) - 1] for c in face] if len({c[1] for c in face if len(c) > 1 and c[1]}) > 1 else None
                 for face in corners]
 
     def run_program(self, model, options=(), output="out.obj"):

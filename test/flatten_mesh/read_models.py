@@ -30,8 +30,16 @@ def numbers_of(gltf, data, number):
     return numbers if width == 1 else list(zip(*[iter(numbers)] * width))
 
 
-def read_ply(path):
-    """Of each face: the numbers of each of its properties, by name"""
+def write_glb(path, gltf, data):
+    """A file of the JSON and the bytes"""
+    text = json.dumps(gltf).encode()
+    text += b" " * (-len(text) % 4)
+    path.write_bytes(struct.pack("<4sIII4s", b"glTF", 2, 28 + len(text) + len(data), len(text), b"JSON") + text +
+                     struct.pack("<I4s", len(data), b"BIN\0") + data)
+
+
+def read_ply(path, wanted="face"):
+    """Of each face, or each vertex: the numbers of each of its properties, by name"""
     header, data = path.read_bytes().split(b"end_header\n", 1)
     codes = {"uchar": "B", "int": "i", "uint": "I", "float": "f", "double": "d"}
     elements = []
@@ -40,7 +48,7 @@ def read_ply(path):
             elements.append((words[1], int(words[2]), []))
         elif words[0] == "property":
             elements[-1][2].append((words[-1], [codes[word] for word in words[1:-1] if word in codes]))
-    place, faces = 0, []
+    place, found = 0, []
     for element, number, properties in elements:
         for _ in range(number):
             values = {}
@@ -51,7 +59,7 @@ def read_ply(path):
                     place += struct.calcsize(kinds[0])
                 values[name] = struct.unpack_from(f"<{count}{kinds[-1]}", data, place)
                 place += count * struct.calcsize(kinds[-1])
-            if element == "face":
-                faces.append(values)
+            if element == wanted:
+                found.append(values)
     assert place == len(data)
-    return faces
+    return found

@@ -65,7 +65,7 @@ def triangles_of_glb(path):
 
 def polygons_of_ply(path):
     """Places in the plane of the corners of each polygon with texture coordinates"""
-    exact_numbers = [[exact(x) for x in face["texcoord"]] for face in read_ply(path)]
+    exact_numbers = [[exact(x) for x in face["texcoord"] if any(face["texcoord"])] for face in read_ply(path)]
     return [list(zip(uv[::2], uv[1::2])) for uv in exact_numbers if uv]
 
 

@@ -40,6 +40,8 @@ def read_corners(file, faces):
     corners = []
     for polygon, words in zip(polygons(faces), written, strict=True):
         found = {int(w[0]) - 1: coordinates[int(w[1]) - 1] for w in words if len(w) > 1 and w[1]}
+        if len({w[1] for w in words if len(w) > 1}) == 1:  # stands for none
+            found = {}
         assert set(polygon) == {int(w[0]) - 1 for w in words}
         corners += [found.get(v, (np.nan, np.nan)) for v in polygon]
     return np.array(corners)

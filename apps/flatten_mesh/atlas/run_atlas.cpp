@@ -102,6 +102,9 @@ Exit_status run_atlas(const Command_line& command)
   const std::vector<Written_model> models = models_to_write(command, input, atlas, record.report);
   tell_changed_polygons(models, record.report, notes);
   tell_moved_origins(models, notes);
+  if(record.report.has_atlas()) {
+    tell_outputs(models, notes);
+  }
   record.notes = notes.texts();
   progress.stage("writing");
   Output_files files;

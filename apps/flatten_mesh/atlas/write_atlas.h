@@ -13,10 +13,13 @@
 #include "flatten_mesh/atlas/report_atlas_json.h"
 #include "pictures/textured_atlas.h"
 #include "flatten_mesh/bake/bake_textures.h"
+#include "flatten_mesh/check_style_options.h"
 #include "flatten_mesh/Command_line.h"
 #include "flatten_mesh/face_options.h"
 #include "flatten_mesh/model/concave_polygons.h"
 #include "flatten_mesh/model/divide_polygons.h"
+#include "flatten_mesh/model/own_materials.h"
+#include "flatten_mesh/model/Shared_uv.h"
 #include "flatten_mesh/model/write_model.h"
 #include "flatten_mesh/model/write_model_glb.h"
 #include "flatten_mesh/Notes.h"
@@ -28,10 +31,12 @@
 #include "flatten_mesh/pictures/page_boxes.h"
 #include "flatten_mesh/pictures/Up_axis.h"
 #include "flatten_mesh/texts.h"
+#include "flatten_mesh/texture_option.h"
 
 #ifdef ABF_WITH_PNG
 #include "flatten_mesh/bake/write_baked_model.h"
 #include "flatten_mesh/pictures/chart_images.h"
+#include "flatten_mesh/pictures/checkerboard_png.h"
 #endif
 
 #ifdef ABF_WITH_THREE
@@ -49,6 +54,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -64,6 +70,18 @@ inline std::string seams_text(const Mesh& mesh, const Atlas& atlas)
   std::ostringstream text;
   TA::write_seam_selection(text, mesh, atlas.seams);
   return text.str();
+}
+
+// The texture of a model, as its output has it
+inline Model_texture written_texture(const Command_line& command, const Model& model, const Mesh& mesh,
+                                     const Corner_origins& origins, const Atlas& atlas)
+{
+  Model_texture texture = texture_of(model, mesh, origins, atlas);
+  texture.is_second_set = command.atlas.uv_set == 1;
+  if(!texture.is_second_set) {
+    keep_given_texture(model, left_out_polygons(face_choice_of(command.atlas), model), texture);
+  }
+  return texture;
 }
 
 // The polygons that other programs would draw with triangles that overlap. GLB files have none.
@@ -120,10 +138,52 @@ inline void tell_changed_polygons(const std::vector<Written_model>& models, cons
 {
   std::vector<bool> is_divided;
   for(const Written_model& model : models) {
-    is_divided.insert(is_divided.end(), model.is_divided.begin(), model.is_divided.end());
+    if(!model.command.triangles) { // where all are divided
+      is_divided.insert(is_divided.end(), model.is_divided.begin(), model.is_divided.end());
+    }
   }
   if(const std::string text = polygons_text(report.number_of_mended_polygons, is_divided); !text.empty()) {
     notes.add(text);
+  }
+}
+
+// Says what other programs will make of the outputs: of faces without texture coordinates, of polygons that stay and
+// must not be drawn as fans, and of a picture that is not there.
+inline void tell_outputs(const std::vector<Written_model>& models, Notes& notes)
+{
+  std::size_t without_uv = 0, bad_fans = 0;
+  std::set<std::string> formats, missing_pictures;
+  for(const auto& [command, input, atlas, is_divided] : models) {
+    if(command.output.empty()) {
+      continue;
+    }
+    const std::string format = is_obj_output(command.output) ? "obj" : file_format(command.output);
+    const Model& model = input.model;
+    const Model_texture texture = written_texture(command, model, input.mesh, input.origins, atlas);
+    for(Index p = 0; p < model.number_of_polygons(); ++p) {
+      if(!has_uv_everywhere(model, texture, p)) {
+        ++without_uv;
+        formats.insert(format);
+      }
+      const bool stays = !command.triangles && format != "glb" && (is_divided.empty() || !is_divided[p]);
+      bad_fans += stays && has_bad_fan(model, p);
+    }
+    if(lacks_picture(command)) {
+      missing_pictures.insert(command.texture);
+    }
+  }
+  if(without_uv > 0) {
+    notes.add(count_text(without_uv, "face has", "faces have") + " no texture coordinates: " +
+              (formats.count("glb") == 1 ? "such triangles are primitives of their own"
+                                         : "other programs read (0, 0) at such corners"));
+  }
+  if(bad_fans > 0) {
+    notes.add(count_text(bad_fans, "polygon has", "polygons have") +
+              " a reflex corner on the surface: programs that draw polygons as fans turn triangles over; "
+              "--triangles divides all polygons rightly");
+  }
+  for(const std::string& picture : missing_pictures) {
+    notes.add("--texture: there is no file '" + picture + "' yet");
   }
 }
 
@@ -141,6 +201,17 @@ inline void tell_moved_origins(const std::vector<Written_model>& models, Notes& 
   }
 }
 
+// Writes a material file with the picture of `--texture`, which all materials get.
+inline void write_textured_materials(const Command_line& command, Model& model, Output_files& files)
+{
+  const std::string file = baked_file(command, material_ending);
+  check_material_file(file, model);
+  files.open(file).write(material_text("materials with a picture", textured_material,
+                                       "map_Kd " + texture_name(command) + "\n", true, model));
+  replace_materials(file, textured_material, model);
+  model.name = command.output; // what it refers to is beside it
+}
+
 inline void write_model_or_baked(const Command_line& command, const Model& model, const Mesh& mesh,
                                  const Corner_origins& origins, const Atlas& atlas,
                                  const Baked_surface& baked, Output_files& files)
@@ -154,18 +225,30 @@ inline void write_model_or_baked(const Command_line& command, const Model& model
   (void)baked;
 #endif
   if(!command.output.empty()) {
-    Model_texture texture = texture_of(model, mesh, origins, atlas);
-    texture.is_second_set = command.atlas.uv_set == 1;
-    if(!texture.is_second_set) {
-      keep_given_texture(model, left_out_polygons(face_choice_of(command.atlas), model), texture);
+    Model_texture texture = written_texture(command, model, mesh, origins, atlas);
+    if(!command.triangles && (command.texture.empty() || !is_obj_output(command.output))) {
+      write_model(files.open(command.output), command.output, model, texture, style_of(command));
+      return;
     }
-    write_model(files.open(command.output), command.output, model, texture);
+    Model changed = model;
+    if(command.triangles) {
+      take_triangles(changed, texture);
+    }
+    if(!command.texture.empty() && is_obj_output(command.output)) {
+      write_textured_materials(command, changed, files);
+    }
+    write_model(files.open(command.output), command.output, changed, texture, style_of(command));
   }
 }
 
 inline void write_surface(const Written_model& written, const Baked_surface& baked, Output_files& files)
 {
   const auto& [command, input, atlas, is_divided] = written;
+#ifdef ABF_WITH_PNG
+  if(makes_checkerboard(command)) {
+    files.open(texture_file(command)).write(checkerboard_png(command.atlas));
+  }
+#endif
   if(std::find(is_divided.begin(), is_divided.end(), true) == is_divided.end()) {
     write_model_or_baked(command, input.model, input.mesh, input.origins, atlas, baked, files);
     return;

@@ -12,13 +12,13 @@
 #include "flatten_mesh/bake/baked_files.h"
 #include "flatten_mesh/bake/png_textures.h"
 #include "flatten_mesh/model/Model.h"
-#include "flatten_mesh/model/material_files.h"
+#include "flatten_mesh/model/divide_polygons.h"
+#include "flatten_mesh/model/own_materials.h"
 #include "flatten_mesh/model/write_model.h"
 
 #include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
 #include <CGAL/Texture_atlas/internal/prepare/Model_texture.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -58,35 +58,6 @@ inline void replace_normals(const Mesh& mesh, const Corner_origins& origins, con
   }
 }
 
-// The material file of the input must not be lost.
-inline void check_material_file(const std::string& material_file, const Model& model)
-{
-  const std::filesystem::path folder = folder_of(model.name);
-  for(const Statement& statement : model.statements) {
-    for(const std::string& name : material_files_in(statement.text, folder)) {
-      if(is_same_file((folder / name).string(), material_file)) {
-        throw Output_error(
-            "'" + material_file +
-            "' would overwrite the material file of the input: choose another name for --output");
-      }
-    }
-  }
-}
-
-// All materials keep their names, so that what is said about faces remains true; their file is the one that is written
-// with the pictures.
-inline void replace_materials(const std::string& material_file, Model& model)
-{
-  auto& statements = model.statements;
-  statements.erase(
-      std::remove_if(statements.begin(), statements.end(),
-                     [](const Statement& statement) { return statement.text.compare(0, 7, "mtllib ") == 0; }),
-      statements.end());
-  const std::string file = std::filesystem::path(material_file).filename().string();
-  statements.insert(statements.begin(),
-                    {{0, "mtllib " + file}, {0, std::string("usemtl ") + baked_material}});
-}
-
 inline std::string material_text(const Command_line& command, const Model& model, const Baking_record& record)
 {
   const auto file = [&command](const char* ending) {
@@ -98,20 +69,8 @@ inline std::string material_text(const Command_line& command, const Model& model
               format_number("%.9g", record.least_displacement) + " " +
               format_number("%.9g", record.greatest_displacement - record.least_displacement) + " " +
               file(displacement_ending) + "\n";
-  std::vector<std::string> names = model.material_names;
-  std::vector<Point_color> colors = material_colors(model);
-  if(std::find(names.begin(), names.end(), baked_material) == names.end()) {
-    names.emplace_back(baked_material);
-    colors.push_back({1, 1, 1, 1});
-  }
-  std::string text = "# materials with baked pictures, by flatten_mesh\n";
-  for(std::size_t i = 0; i < names.size(); ++i) {
-    const Point_color color = record.has_colors ? Point_color{1, 1, 1, colors[i][3]} : colors[i];
-    text += "newmtl " + names[i] + "\nKd " + format_number("%.6g", color[0]) + " " +
-            format_number("%.6g", color[1]) + " " + format_number("%.6g", color[2]) + "\nd " +
-            format_number("%.6g", color[3]) + "\n" + pictures;
-  }
-  return text;
+  return flatten_mesh::material_text("materials with baked pictures", baked_material, pictures,
+                                     record.has_colors, model);
 }
 
 } // namespace internal
@@ -133,10 +92,13 @@ inline void write_baked_model(const Command_line& command, Model model, const Me
     write_model(files.open(command.output), command.output, model, texture);
     return;
   }
+  if(command.triangles) {
+    take_triangles(model, texture);
+  }
   const std::string material_file = baked_file(command, material_ending);
-  internal::check_material_file(material_file, model);
+  check_material_file(material_file, model);
   files.open(material_file).write(internal::material_text(command, model, baked.record));
-  internal::replace_materials(material_file, model);
+  replace_materials(material_file, internal::baked_material, model);
   model.name = command.output; // what it refers to is beside it
   write_model(files.open(command.output), command.output, model, texture);
   files.open(baked_file(command, normals_ending)).write(normals);

@@ -7,7 +7,10 @@
 #define FLATTEN_MESH_PLY_HEADER_H
 
 #include "flatten_mesh/model/Text_reader.h"
+#include "flatten_mesh/model/own_marks.h"
 #include "flatten_mesh/model/text_numbers.h"
+
+#include <boost/algorithm/string/predicate.hpp>
 
 #include <array>
 #include <cstddef>
@@ -64,6 +67,7 @@ struct Ply_header
 {
   bool is_text = false, is_big_endian = false;
   bool names_textures = false; // in comments
+  bool is_own = false;         // written by this program
   std::vector<Ply_element> elements;
 };
 
@@ -108,6 +112,8 @@ private:
       read_property();
     } else if(keyword == "comment") {
       m_header.names_textures = m_header.names_textures || m_text.lines.word() == "TextureFile";
+      m_header.is_own =
+          m_header.is_own || boost::algorithm::ends_with(m_text.lines.rest(), end_of_ply_comment);
     } else if(!keyword.empty() && keyword != "obj_info" && keyword != "end_header") {
       m_text.refuse(quoted_word(keyword) + " is not a keyword of PLY headers; export the mesh again");
     }

@@ -9,8 +9,12 @@
 #include "flatten_mesh/model/Model.h"
 
 #include <CGAL/Texture_atlas/internal/prepare/Corner_origins.h>
+#include <CGAL/Texture_atlas/internal/prepare/Flat_polygon.h>
+#include <CGAL/Texture_atlas/internal/prepare/Model_texture.h>
+#include <CGAL/Texture_atlas/internal/prepare/triangulate.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -35,6 +39,7 @@ public:
     m_after.has_point_texture = before.has_point_texture;
     m_after.statements = before.statements;
     m_after.material_names = before.material_names;
+    m_after.material_colors = before.material_colors;
     m_after.name = before.name;
     m_after.is_welded = before.is_welded;
   }
@@ -148,6 +153,114 @@ inline void divide_polygons(Model& model, const Mesh& mesh, Corner_origins& orig
   }
   origins = std::move(after);
   model = division.result();
+}
+
+namespace internal {
+
+inline std::vector<Kernel::Point_3> points_of_polygon(const Model& model, const Index polygon)
+{
+  std::vector<Kernel::Point_3> points;
+  for(Index c = model.first_corners[polygon]; c < model.first_corners[polygon + 1]; ++c) {
+    points.push_back(model.points[model.vertices[c]]);
+  }
+  return points;
+}
+
+// The corners of triangles in a polygon that has no chart, and so none that are positive in the plane: those that are
+// in space
+inline std::vector<std::array<Index, 3>> triangles_in_space(const Model& model, const Index polygon)
+{
+  const std::vector<Kernel::Point_3> points = points_of_polygon(model, polygon);
+  const Index first = model.first_corners[polygon];
+  std::vector<std::array<Index, 3>> result;
+  if(!std::all_of(points.begin(), points.end(), is_finite)) {
+    for(Index c = first + 2; c < model.first_corners[polygon + 1]; ++c) {
+      result.push_back({first, c - 1, c});
+    }
+    return result;
+  }
+  const Polygon_triangles triangles = triangulate_polygon(points, [](Index, Index) { return false; });
+  for(Index t = 0; t < triangles.size(); ++t) {
+    const Index* const corner = &triangles.corners[3 * t];
+    result.push_back({first + corner[0], first + corner[1], first + corner[2]});
+  }
+  return result;
+}
+
+} // namespace internal
+
+// Makes triangles of all larger polygons: those of the mesh, which are positive in the plane and in space.
+inline void take_triangles(Model& model, Model_texture& texture)
+{
+  std::stable_sort(texture.triangles.begin(), texture.triangles.end(),
+                   [](const Model_triangle& a, const Model_triangle& b) { return a.polygon < b.polygon; });
+  internal::Polygon_division division(model);
+  Model_texture after;
+  after.is_second_set = texture.is_second_set;
+  const auto add_corner = [&](const Index c) {
+    division.add_corner(c);
+    after.uv.push_back(texture.uv[c]);
+  };
+  const auto end_polygon = [&](const Index p, const bool is_turned) {
+    division.end_polygon(p);
+    after.is_turned.push_back(is_turned);
+    if(!texture.charts.empty()) {
+      after.charts.push_back(texture.charts[p]);
+    }
+  };
+  auto triangle = texture.triangles.begin();
+  for(Index p = 0; p < model.number_of_polygons(); ++p) {
+    division.begin(p);
+    std::vector<std::array<Index, 3>> triangles;
+    for(; triangle != texture.triangles.end() && triangle->polygon == p; ++triangle) {
+      triangles.push_back(triangle->corners);
+    }
+    if(model.size(p) <= 3) {
+      for(Index c = model.first_corners[p]; c < model.first_corners[p + 1]; ++c) {
+        add_corner(c);
+      }
+      end_polygon(p, texture.is_turned[p]);
+      continue;
+    }
+    const bool has_chart = texture.chart(p) != no_index;
+    if(!has_chart) {
+      triangles = internal::triangles_in_space(model, p);
+    }
+    for(const std::array<Index, 3>& corners : triangles) {
+      std::for_each(corners.begin(), corners.end(), add_corner);
+      end_polygon(p, !has_chart && texture.is_turned[p]); // those of the mesh are turned
+    }
+  }
+  division.begin(no_index);
+  model = division.result();
+  texture = std::move(after);
+}
+
+// Whether a fan of triangles from some corner, as many programs draw it, has one that is turned over in space
+inline bool has_bad_fan(const Model& model, const Index polygon)
+{
+  const std::vector<Kernel::Point_3> points = internal::points_of_polygon(model, polygon);
+  if(points.size() <= 3 || !std::all_of(points.begin(), points.end(), is_finite)) {
+    return false;
+  }
+  const Flat_polygon flat(points);
+  Kernel::Vector_3 normal(0, 0, 0);
+  for(Index i = 2; i < flat.size(); ++i) {
+    normal = normal + flat.area(0, i - 1, i);
+  }
+  const double squared = normal.squared_length(); // the largest coordinate is from 1 to 2
+  if(squared < 1e-24) {
+    return false; // without area, nothing is turned
+  }
+  const auto is_turned = [&](const Index i, const Index j, const Index k) { // by more than rounding
+    return flat.area(i, j, k) * normal < -1e-9 * squared;
+  };
+  bool is_bad = false;
+  for(Index i = 0; i < flat.size(); ++i) {
+    is_bad = is_bad || is_turned(i, (i + 1) % flat.size(), (i + 2) % flat.size()) ||
+             (i >= 2 && is_turned(0, i - 1, i));
+  }
+  return is_bad;
 }
 
 } // namespace flatten_mesh

@@ -5,6 +5,8 @@
 
 #include "flatten_mesh/model/glb_text.h"
 
+#include "flatten_mesh/model/tiny_picture.h"
+
 #include <boost/iostreams/device/back_inserter.hpp>
 #include <boost/iostreams/stream.hpp>
 #include <boost/locale/encoding_utf.hpp>
@@ -112,6 +114,23 @@ int add_texture(tinygltf::Model& model, const std::string& png)
   return static_cast<int>(model.textures.size()) - 1;
 }
 
+// By a strength of 0, and a factor of 0, which is the default, pictures show nothing.
+void add_tiny_picture(tinygltf::Model& model, const std::vector<Glb_material>& materials,
+                      const bool has_two_sets)
+{
+  const int picture = add_texture(model, std::string(tiny_picture.begin(), tiny_picture.end()));
+  for(std::size_t i = 0; i < materials.size(); ++i) {
+    if(materials[i].has_pictures) {
+      model.materials[i].occlusionTexture.index = picture;
+      model.materials[i].occlusionTexture.strength = 0;
+      if(has_two_sets) {
+        model.materials[i].occlusionTexture.texCoord = 1;
+        model.materials[i].emissiveTexture.index = picture;
+      }
+    }
+  }
+}
+
 void add_textures(tinygltf::Model& model, const std::vector<Glb_material>& materials,
                   const Glb_pictures& pictures)
 {
@@ -158,7 +177,14 @@ std::string glb_text(const std::vector<Glb_material>& materials, const std::vect
   for(const Glb_primitive& primitive : primitives) {
     mesh.primitives.push_back(add_primitive(model, primitive));
   }
-  add_textures(model, materials, pictures); // behind the numbers, which have to be aligned
+  if(pictures.has_tiny_one) { // behind the numbers, which have to be aligned
+    add_tiny_picture(model, materials,
+                     std::any_of(primitives.begin(), primitives.end(), [](const Glb_primitive& primitive) {
+                       return !primitive.second_texture.empty();
+                     }));
+  } else {
+    add_textures(model, materials, pictures);
+  }
   model.meshes.push_back(mesh);
   tinygltf::Node node;
   node.mesh = 0;

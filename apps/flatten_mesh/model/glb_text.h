@@ -25,6 +25,7 @@ struct Glb_material
 struct Glb_pictures
 {
   std::string normals, colors;
+  bool has_tiny_one = false; // which shows nothing, and refers to all texture coordinates
 };
 
 // Triangles of one material. The numbers of a vertex follow one another.

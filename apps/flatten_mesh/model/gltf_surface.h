@@ -64,11 +64,17 @@ struct Gltf_triangles
   std::vector<std::uint32_t> triangles; // 3 new vertices each
 };
 
+struct Gltf_texture
+{
+  bool is_second_set = false;    // the first one stays
+  bool has_tiny_picture = false; // which shows nothing, and refers to the new coordinates
+};
+
 // The file again, binary, with other triangles. Their texture coordinates are the first ones, or the second ones. Those
 // that were there before come after them, and textures keep to them. Throws an `Output_error` if it is too large for
 // the format.
 std::string gltf_with_texture(const Gltf_file& file, const std::vector<Gltf_triangles>& triangles,
-                              bool is_second_set, const std::string& output);
+                              const Gltf_texture& texture, const std::string& output);
 
 } // namespace flatten_mesh
 

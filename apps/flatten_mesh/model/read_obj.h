@@ -11,6 +11,7 @@
 #include "flatten_mesh/model/Obj_remarks.h"
 #include "flatten_mesh/model/Obj_values.h"
 #include "flatten_mesh/model/Text_reader.h"
+#include "flatten_mesh/model/own_marks.h"
 #include "flatten_mesh/texts.h"
 
 #include <algorithm>
@@ -32,7 +33,8 @@ class Obj_reader
 public:
   Obj_reader(const std::string_view text, Model& model, const Degenerate_faces degenerate)
       : m_text(text, model, degenerate, Text_lines::BACKSLASHES), m_lines(m_text.lines), m_model(model),
-        m_values(m_text, model, m_remarks), m_keeps_all(m_text.keeps_all())
+        m_values(m_text, model, m_remarks), m_keeps_all(m_text.keeps_all()),
+        m_is_own(text.rfind(first_obj_line, 0) == 0)
   {}
 
   void read(Notes& notes)
@@ -50,6 +52,9 @@ public:
                            std::to_string(m_model.points.size()) + "; export the mesh again");
     }
     m_values.end();
+    if(m_is_own) {
+      forget_common_texture();
+    }
     m_remarks.tell_skipped(m_model.name, notes);
     if(m_keeps_all) {
       m_remarks.tell_attributes(m_model.name, notes);
@@ -112,6 +117,21 @@ private:
     const auto twice = std::adjacent_find(m_sorted.begin(), m_sorted.end());
     if(twice != m_sorted.end()) {
       refuse("the face names " + vertex_name(*twice) + " twice; remove degenerate faces");
+    }
+  }
+
+  // In files of this program, faces without coordinates have the same ones at all their points.
+  void forget_common_texture()
+  {
+    for(Index p = 0; p < m_model.number_of_polygons() && !m_model.corner_texture.empty(); ++p) {
+      const auto is_common = [&, first = m_model.first_corners[p]](const std::vector<Index>& corners) {
+        return std::all_of(corners.begin() + first, corners.begin() + m_model.first_corners[p + 1],
+                           [&](const Index number) { return number == corners[first]; });
+      };
+      if(is_common(m_model.corner_texture) && !is_common(m_model.vertices)) {
+        std::fill(m_model.corner_texture.begin() + m_model.first_corners[p],
+                  m_model.corner_texture.begin() + m_model.first_corners[p + 1], no_index);
+      }
     }
   }
 
@@ -228,6 +248,7 @@ private:
   Obj_remarks m_remarks;
   Obj_values m_values;
   bool m_keeps_all;
+  bool m_is_own; // written by this program
   std::vector<Index> m_sorted;
   std::unordered_map<std::string, Index> m_material_numbers;
   Index m_material = no_index;

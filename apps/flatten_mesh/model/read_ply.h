@@ -20,6 +20,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace flatten_mesh {
@@ -104,11 +105,36 @@ private:
     }
   }
 
+  // All names of texture coordinates of vertices that an element has
+  static std::vector<Columns> texture_columns(const Ply_element& element)
+  {
+    static const std::array<std::array<const char*, 2>, 3> known = {
+        {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}}};
+    std::vector<Columns> result;
+    for(const auto& names : known) {
+      if(Columns found = columns(element, {names[0], names[1]}); !found.empty()) {
+        result.push_back(std::move(found));
+      }
+    }
+    return result;
+  }
+
+  // Of some columns, those whose values in the last item are equal to those of the given ones
+  void keep_equal(const Columns& given, std::vector<Columns>& all) const
+  {
+    const auto is_other = [&](const Columns& other) {
+      return !std::equal(given.begin(), given.end(), other.begin(), [this](const auto a, const auto b) {
+        return m_items.numbers[a] == m_items.numbers[b];
+      });
+    };
+    all.erase(std::remove_if(all.begin(), all.end(), is_other), all.end());
+  }
+
   void read_vertices(const Ply_element& element)
   {
     const Columns points = columns(element, {"x", "y", "z"}), normals = columns(element, {"nx", "ny", "nz"}),
-                  texture = m_model.texture.empty()
-                                ? first_columns(element, {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}})
+                  texture = m_model.texture.empty() && !texture_columns(element).empty()
+                                ? texture_columns(element).front()
                                 : Columns(), // of corners
         colors = first_columns(
             element, {{"red", "green", "blue", "alpha"}, {"red", "green", "blue"}, {"r", "g", "b"}});
@@ -116,8 +142,10 @@ private:
       refuse_header(points.empty() ? "its vertices have no properties 'x', 'y' and 'z'"
                                    : "it declares vertices twice");
     }
+    std::vector<Columns> others = texture.empty() ? std::vector<Columns>() : texture_columns(element);
     for(std::size_t j = 0; j < element.count; ++j) {
       m_items.read(element, j);
+      keep_equal(texture, others);
       const auto value = [this](const std::size_t column) { return m_items.numbers[column][0]; };
       m_model.points.emplace_back(value(points[0]), value(points[1]), value(points[2]));
       if(!m_text.keeps_all()) {
@@ -136,8 +164,9 @@ private:
     m_model.has_point_normals = !m_model.normals.empty();
     m_model.has_point_texture = !texture.empty();
     Columns read = points;
-    for(const Columns* others : {&normals, &texture, &colors}) {
-      read.insert(read.end(), others->begin(), others->end());
+    others.insert(others.end(), {normals, texture, colors});
+    for(const Columns& more : others) {
+      read.insert(read.end(), more.begin(), more.end());
     }
     tell_left_out(element, read);
   }
@@ -195,6 +224,27 @@ private:
       }
       m_model.end_polygon();
     }
+    if(m_header.is_own && m_model.has_point_texture) {
+      forget_zeros_of_points();
+    }
+  }
+
+  // Faces without coordinates have vertices of their own, with zeros.
+  void forget_zeros_of_points()
+  {
+    std::vector<Kernel::Point_2>& uv = m_model.texture;
+    std::vector<bool> is_known(uv.size(), false);
+    for(Index p = 0; p < m_model.number_of_polygons(); ++p) {
+      const auto first = m_model.vertices.begin() + m_model.first_corners[p],
+                 end = m_model.vertices.begin() + m_model.first_corners[p + 1];
+      if(!std::all_of(first, end, [&](const Index v) { return uv[v] == Kernel::Point_2(0, 0); })) {
+        std::for_each(first, end, [&is_known](const Index v) { is_known[v] = true; });
+      }
+    }
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    for(std::size_t v = 0; v < uv.size(); ++v) {
+      uv[v] = is_known[v] ? uv[v] : Kernel::Point_2(none, none);
+    }
   }
 
   // Some programs write zeros for each vertex, beside the coordinates of corners.
@@ -214,7 +264,9 @@ private:
   // Texture coordinates of the corners of the last polygon, as two numbers each
   void add_texture(const std::vector<double>& numbers, const std::size_t first)
   {
-    if(numbers.size() != 2 * (m_model.vertices.size() - first)) {
+    const auto is_zero = [](const double number) { return number == 0; };
+    if(numbers.size() != 2 * (m_model.vertices.size() - first) ||
+       (m_header.is_own && std::all_of(numbers.begin(), numbers.end(), is_zero))) {
       return;
     }
     m_model.corner_texture.resize(first, no_index);

@@ -8,6 +8,7 @@
 
 #include "flatten_mesh/Output_file.h"
 #include "flatten_mesh/model/Model.h"
+#include "flatten_mesh/model/Model_style.h"
 
 #include <string>
 
@@ -16,8 +17,8 @@ namespace flatten_mesh {
 using namespace CGAL::Texture_atlas::internal::prepare;
 
 // Writes a model with its texture in the format that the name of the file tells: PLY, binary glTF, or else OBJ.
-void write_model(Output_file& file, const std::string& name, const Model& model,
-                 const Model_texture& texture);
+void write_model(Output_file& file, const std::string& name, const Model& model, const Model_texture& texture,
+                 const Model_style& style = Model_style());
 
 } // namespace flatten_mesh
 

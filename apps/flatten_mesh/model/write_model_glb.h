@@ -8,6 +8,7 @@
 
 #include "flatten_mesh/model/Model.h"
 #include "flatten_mesh/Output_file.h"
+#include "flatten_mesh/model/Model_style.h"
 #include "flatten_mesh/model/color_spaces.h"
 #include "flatten_mesh/model/glb_text.h"
 #include "flatten_mesh/model/material_files.h"
@@ -175,14 +176,14 @@ inline std::array<double, 3> origin_of_floats(const Model& model)
 // without texture coordinates, with and without normals. Throws an `Output_error` if the file would be too large for
 // the format.
 inline void write_model_glb(Output_file& file, const std::string& name, const Model& model,
-                            const Model_texture& texture)
+                            const Model_texture& texture, const Model_style& style)
 {
   std::vector<Glb_material> materials;
   const std::vector<Point_color> colors = material_colors(model);
   for(std::size_t i = 0; i < colors.size(); ++i) {
     materials.push_back({model.material_names[i], colors[i]});
   }
-  const bool has_pictures = texture.has_pictures();
+  const bool has_pictures = texture.has_pictures() || style.has_tiny_picture;
   if(!texture.color_picture.empty()) { // which would be multiplied by them
     for(Glb_material& material : materials) {
       material.color = {1, 1, 1, material.color[3]};
@@ -220,7 +221,8 @@ inline void write_model_glb(Output_file& file, const std::string& name, const Mo
   if(bytes > largest_glb) {
     throw Output_error("cannot write '" + name + "': binary glTF files have at most 4 GB; use .ply or .obj");
   }
-  file.write(glb_text(materials, primitives, {texture.normal_picture, texture.color_picture}, origin));
+  file.write(glb_text(materials, primitives,
+                      {texture.normal_picture, texture.color_picture, style.has_tiny_picture}, origin));
 }
 
 } // namespace flatten_mesh

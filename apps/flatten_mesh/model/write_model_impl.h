@@ -22,16 +22,16 @@
 namespace flatten_mesh {
 
 FLATTEN_MESH_INLINE void write_model(Output_file& file, const std::string& name, const Model& model,
-                                     const Model_texture& texture)
+                                     const Model_texture& texture, const Model_style& style)
 {
   const std::string format = file_format(name);
   if(format == "ply") {
-    write_model_ply(file, model, texture);
+    write_model_ply(file, model, texture, style);
 #ifdef ABF_WITH_GLTF
   } else if(format == "glb" && model.gltf.file != nullptr && !texture.has_pictures()) {
-    write_model_into_gltf(file, name, model, texture);
+    write_model_into_gltf(file, name, model, texture, style);
   } else if(format == "glb") {
-    write_model_glb(file, name, model, texture);
+    write_model_glb(file, name, model, texture, style);
 #endif
   } else {
     write_model_obj(file, name, model, texture);

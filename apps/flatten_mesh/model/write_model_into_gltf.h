@@ -8,6 +8,7 @@
 
 #include "flatten_mesh/Output_file.h"
 #include "flatten_mesh/model/Model.h"
+#include "flatten_mesh/model/Model_style.h"
 #include "flatten_mesh/model/gltf_surface.h"
 
 #include <CGAL/Texture_atlas/internal/prepare/Model_texture.h>
@@ -71,7 +72,7 @@ private:
 // A model from a glTF file as binary glTF, with all that the file contains. Of each primitive, triangles without
 // texture coordinates become one of their own. Throws an `Output_error` if the file would be too large for the format.
 inline void write_model_into_gltf(Output_file& file, const std::string& name, const Model& model,
-                                  const Model_texture& texture)
+                                  const Model_texture& texture, const Model_style& style)
 {
   std::map<std::pair<Index, bool>, internal::Gltf_part> parts;
   for(const Model_triangle& triangle : texture.triangles) {
@@ -93,7 +94,8 @@ inline void write_model_into_gltf(Output_file& file, const std::string& name, co
   for(auto& [key, part] : parts) {
     triangles.push_back(part.result());
   }
-  file.write(gltf_with_texture(*model.gltf.file, triangles, texture.is_second_set, name));
+  file.write(
+      gltf_with_texture(*model.gltf.file, triangles, {texture.is_second_set, style.has_tiny_picture}, name));
 }
 
 } // namespace flatten_mesh

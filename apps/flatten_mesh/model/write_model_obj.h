@@ -8,7 +8,9 @@
 
 #include "flatten_mesh/model/Model.h"
 #include "flatten_mesh/Output_file.h"
+#include "flatten_mesh/model/Shared_uv.h"
 #include "flatten_mesh/model/material_files.h"
+#include "flatten_mesh/model/own_marks.h"
 #include "flatten_mesh/texts.h"
 
 #include <CGAL/Texture_atlas/internal/prepare/Model_texture.h>
@@ -17,7 +19,6 @@
 #include <cstddef>
 #include <initializer_list>
 #include <string>
-#include <vector>
 
 namespace flatten_mesh {
 
@@ -25,58 +26,9 @@ using namespace CGAL::Texture_atlas::internal::prepare;
 
 namespace internal {
 
-// The different texture coordinates of a model. Corners at the same point in the same chart share theirs if they are
-// equal.
-class Shared_uv
-{
-public:
-  Shared_uv(const Model& model, const Model_texture& texture)
-      : m_numbers(model.number_of_corners(), no_index), m_first(model.points.size(), no_index)
-  {
-    for(std::size_t p = 0; p < model.number_of_polygons(); ++p) {
-      const auto polygon = static_cast<Index>(p);
-      for(Index c = model.first_corners[p]; c < model.first_corners[p + 1]; ++c) {
-        if(texture.has_uv(c)) {
-          m_numbers[c] =
-              number_of({texture.uv[c], texture.chart(polygon), no_index}, m_first[model.vertices[c]]);
-        }
-      }
-    }
-  }
-
-  std::size_t size() const { return m_places.size(); }
-  const Kernel::Point_2& operator[](const std::size_t number) const { return m_places[number].uv; }
-
-  // Of a corner, from 0, or `no_index`
-  Index number(const Index corner) const { return m_numbers[corner]; }
-
-private:
-  struct Place
-  {
-    Kernel::Point_2 uv;
-    Index chart;
-    Index next; // of the same point
-  };
-
-  Index number_of(Place place, Index& first)
-  {
-    for(Index i = first; i != no_index; i = m_places[i].next) {
-      if(m_places[i].chart == place.chart && m_places[i].uv == place.uv) {
-        return i;
-      }
-    }
-    place.next = first;
-    first = static_cast<Index>(m_places.size());
-    m_places.push_back(place);
-    return first;
-  }
-
-  std::vector<Index> m_numbers; // of each corner
-  std::vector<Index> m_first;   // of each point: its last place so far
-  std::vector<Place> m_places;
-};
-
-// Writes the lines of an OBJ file, a part of the text at a time.
+// Writes the lines of an OBJ file, a part of the text at a time. Some programs refuse a file, or drop all coordinates, if
+// a face has none, and others if it has a material of its own instead. Therefore all corners of such faces share a `vt`
+// that no other face has.
 class Model_obj_writer
 {
 public:
@@ -87,12 +39,19 @@ public:
 
   void write()
   {
-    m_text = "# texture coordinates 'vt' by flatten_mesh\n";
+    m_text = first_obj_line;
+    end_line();
     for(std::size_t v = 0; v < m_model.points.size(); ++v) {
       write_point(v);
     }
     for(std::size_t i = 0; i < m_uv.size(); ++i) {
       write_line("vt", {m_uv[i].x(), m_uv[i].y()});
+    }
+    if(m_uv.size() > 0 && has_face_without_uv()) {
+      m_text += "# of faces without texture coordinates:";
+      end_line();
+      write_line("vt", {0, 0});
+      m_no_uv = static_cast<Index>(m_uv.size());
     }
     if(!m_model.corner_normals.empty() || m_model.has_point_normals) {
       for(const Kernel::Vector_3& normal : m_model.normals) {
@@ -104,6 +63,16 @@ public:
   }
 
 private:
+  bool has_face_without_uv() const
+  {
+    for(Index p = 0; p < m_model.number_of_polygons(); ++p) {
+      if(!has_uv_everywhere(m_model, m_texture, p)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   void write_point(const std::size_t v)
   {
     const Kernel::Point_3& point = m_model.points[v];
@@ -149,18 +118,20 @@ private:
   void write_polygon(const Index p)
   {
     const Index first = m_model.first_corners[p], end = m_model.first_corners[p + 1];
+    const bool has_uv = has_uv_everywhere(m_model, m_texture, p);
     m_text += 'f';
     for(Index i = first; i < end; ++i) {
-      write_corner(m_texture.is_turned[p] ? first + (end - 1 - i) : i);
+      const Index c = m_texture.is_turned[p] ? first + (end - 1 - i) : i;
+      write_corner(c, has_uv ? m_uv.number(c) : m_no_uv);
     }
     end_line();
   }
 
-  void write_corner(const Index c)
+  void write_corner(const Index c, const Index uv)
   {
     m_text += ' ';
     append_number(m_text, m_model.vertices[c] + 1);
-    const Index uv = m_uv.number(c), normal = m_model.normal(c);
+    const Index normal = m_model.normal(c);
     if(uv != no_index || normal != no_index) {
       m_text += '/';
     }
@@ -187,6 +158,7 @@ private:
   const Model& m_model;
   const Model_texture& m_texture;
   Shared_uv m_uv;
+  Index m_no_uv = no_index; // the coordinates that stand for none
   std::string m_text;
 };
 

@@ -34,8 +34,6 @@ using namespace CGAL::Texture_atlas::internal::prepare;
 
 namespace internal {
 
-const char* const udim_placeholder = "<UDIM>";
-
 // Red, green, blue and opacity of the texels of a page
 class Chart_image
 {
@@ -92,8 +90,7 @@ inline std::string name_of_page(const Command_line& command, const std::size_t p
 inline void write_chart_images(const Command_line& command, const Mesh& mesh, const Atlas& atlas,
                                const TA::Atlas_report& report, Output_files& files)
 {
-  if(report.number_of_pages > 1 &&
-     command.chart_image.find(internal::udim_placeholder) == std::string::npos) {
+  if(report.number_of_pages > 1 && command.chart_image.find(udim_placeholder) == std::string::npos) {
     throw Usage_error("--chart-image '" + command.chart_image + "' names one file for " +
                       count_text(report.number_of_pages, "page") +
                       ": put <UDIM> into it, which stands for the number of each page");

@@ -312,9 +312,11 @@ private:
       m_progress.stage("split", m_record.split->seconds);
     }
     m_is_divided = polygons_to_divide(m_command, m_input, m_atlas, grid_of_outputs(m_command));
-    if(const std::string text = polygons_text(mended, m_is_divided); !text.empty()) {
+    const std::vector<bool> told = m_command.triangles ? std::vector<bool>() : m_is_divided;
+    if(const std::string text = polygons_text(mended, told); !text.empty()) {
       m_notes.add(text);
     }
+    tell_outputs({Written_model{m_command, m_input, m_atlas, m_is_divided}}, m_notes);
   }
 
   // Says so if the map changes sizes more than those of good charts of atlases do, unless angles are prescribed; and if

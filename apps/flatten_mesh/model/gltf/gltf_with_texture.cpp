@@ -7,6 +7,7 @@
 #include "flatten_mesh/model/gltf/Gltf_elements.h"
 #include "flatten_mesh/model/gltf/Gltf_file.h"
 #include "flatten_mesh/Json.h"
+#include "flatten_mesh/model/gltf/Tiny_picture.h"
 #include "flatten_mesh/model/gltf/next_texture.h"
 #include "flatten_mesh/model/gltf/other_accessors.h"
 #include "flatten_mesh/model/gltf_surface.h"
@@ -70,6 +71,22 @@ public:
         (*image)["bufferView"] = add_view(first, size, 0, 0);
       }
     }
+  }
+
+  // Each material of triangles with new coordinates refers to them.
+  void add_tiny_picture(const std::string& output)
+  {
+    Tiny_picture picture(m_json, m_set, output);
+    const auto for_each_primitive = [this](const auto& f) {
+      for(Json* const mesh : objects_in(m_file, m_json, "meshes")) {
+        for(Json& primitive : (*mesh)["primitives"]) {
+          f(primitive);
+        }
+      }
+    };
+    for_each_primitive([&picture](Json& primitive) { picture.add(primitive); });
+    picture.end(add_view(tiny_picture.data(), tiny_picture.size(), 0, 0));
+    for_each_primitive([&picture](Json& primitive) { picture.assign(primitive); });
   }
 
   // Two chunks, for the description and for the numbers, whose lengths are multiples of 4
@@ -266,11 +283,14 @@ private:
 } // namespace
 
 std::string gltf_with_texture(const Gltf_file& file, const std::vector<Gltf_triangles>& triangles,
-                              const bool is_second_set, const std::string& output)
+                              const Gltf_texture& texture, const std::string& output)
 {
-  Gltf_rewriter rewriter(file, is_second_set ? 1 : 0);
+  Gltf_rewriter rewriter(file, texture.is_second_set ? 1 : 0);
   rewriter.replace_triangles(triangles);
   rewriter.keep_other_numbers();
+  if(texture.has_tiny_picture) {
+    rewriter.add_tiny_picture(output);
+  }
   return rewriter.text(output);
 }
 
