@@ -127,7 +127,7 @@ double ratio_of_map(Mesh mesh, const Report& rectangle, double fitted)
     const Point_2 p = uv[mesh.target(h)];
     BOOST_TEST((p.x() == 0 || p.y() == 0 || p.x() == far_corner.x() || p.y() == far_corner.y()));
   }
-  BOOST_TEST(SMP::flipped_faces(mesh, uv).empty());
+  BOOST_TEST(SMP::is_locally_injective(mesh, uv));
   return ratio;
 }
 

@@ -38,7 +38,7 @@ namespace internal {
 
 template <typename TriangleMesh>
 typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<std::size_t>>::const_type
-vertex_numbers(const TriangleMesh& mesh, std::size_t& number_of_vertices)
+number_vertices(const TriangleMesh& mesh, std::size_t& number_of_vertices)
 {
   const auto numbers = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
   number_of_vertices = 0;
@@ -81,7 +81,7 @@ read_seam_selection(std::istream& in, const TriangleMesh& mesh, EdgeIsSeamMap se
   internal::Check_edge_map<TriangleMesh, EdgeIsSeamMap>();
   Mesh_report<TriangleMesh, Seam_selection_report> report;
   std::size_t number_of_vertices = 0;
-  const auto number_of = internal::vertex_numbers(mesh, number_of_vertices);
+  const auto number_of = internal::number_vertices(mesh, number_of_vertices);
   std::vector<internal::Selection_number> numbers;
   static_cast<Seam_selection_report&>(report) = internal::read_numbers(in, number_of_vertices, numbers);
   if(!report)
@@ -155,7 +155,7 @@ Seam_selection_report write_seam_selection(std::ostream& out, const TriangleMesh
   internal::Check_edge_map<TriangleMesh, EdgeIsSeamMap>();
   Seam_selection_report report;
   std::size_t number_of_vertices = 0;
-  const auto number_of = internal::vertex_numbers(mesh, number_of_vertices);
+  const auto number_of = internal::number_vertices(mesh, number_of_vertices);
   out << "\n\n";
   for(auto e : edges(mesh)) {
     if(!get(seams, e))
