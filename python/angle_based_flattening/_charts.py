@@ -94,7 +94,8 @@ class Flattener:
         method: ``"direct"``, or ``"hierarchical"`` for large meshes.
         boundary: ``"free"``, or ``"rectangle"``: the border becomes a rectangle (direct method).
         corners: four vertices of the border, the corners of the rectangle.
-        aspect_ratio: the ratio of the sides of the rectangle, if its corners are to be chosen.
+        aspect_ratio: the ratio of the sides of the rectangle, if its corners are to be chosen. The map meets it
+            approximately: scale a column of `uv` for the exact ratio.
         angles: a pair (vertices, radians): the sums of planar angles at some vertices (direct method).
         pins: a pair (vertices, positions (k, 2)) of vertices with given places (direct method).
         options: those of `flatten()`.
