@@ -30,6 +30,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <string>
 #include <vector>
@@ -114,8 +115,8 @@ double ratio_of_map(Mesh mesh, const Report& rectangle, double fitted)
   BOOST_TEST_REQUIRE(bool(report), report.message);
   BOOST_TEST(report.ratio == ratio, boost::test_tools::tolerance(1e-9));
   const double bound = 2 * std::asin(std::abs(fitted / ratio - 1) / (fitted / ratio + 1));
-  BOOST_TEST(report.largest_angle_change <= bound + 1e-9);
-  BOOST_TEST(report.largest_angle_change >= 0.5 * bound - 1e-9);
+  BOOST_TEST(report.largest_angle_change <= bound + 1e-4); // rounding turns very short edges
+  BOOST_TEST(report.largest_angle_change >= 0.5 * bound - 1e-4);
   BOOST_TEST(report.mean_angle_change <= report.largest_angle_change);
   const Point_2 far_corner = uv[rectangle.corners[2]];
   BOOST_TEST(far_corner.x() / far_corner.y() == fitted, boost::test_tools::tolerance(1e-14));
@@ -146,12 +147,12 @@ void check_ratio(const Mesh& mesh, double ratio, double largest_error)
 
 } // namespace
 
-// The angles of a rectangle, or of a prism over it, are those that its own corners prescribe. The first corner is the
-// first one from the given halfedge.
+// Linear functions are harmonic on any triangulation, and a prism is as good as a plane. The first corner is the first
+// one from the given halfedge.
 BOOST_AUTO_TEST_CASE(of_a_rectangle_are_its_own)
 {
   for(double curvature : {0., 1.})
-    for(int n : {2, 5, 16}) {
+    for(int n : {12, 16}) {
       const Chart chart = two_squares(n, curvature);
       const Mesh mesh = mesh_of_chart<Mesh>(chart);
       const auto corner = [&](int i, int j) { return vertex_at(mesh, chart.points[i * (n + 1) + j]); };
@@ -165,7 +166,7 @@ BOOST_AUTO_TEST_CASE(of_a_rectangle_are_its_own)
           BOOST_TEST_REQUIRE(bool(report), report.message);
           for(int k = 0; k < 4; ++k)
             BOOST_TEST((report.corners[k] == corners[(i + k) % 4]));
-          BOOST_TEST(relative_error(report.predicted_ratio, ratio) < 0.05);
+          BOOST_TEST(report.predicted_ratio == ratio, boost::test_tools::tolerance(1e-9));
         }
       }
     }
@@ -183,14 +184,14 @@ BOOST_AUTO_TEST_CASE(of_two_triangles)
   BOOST_TEST(other.status == SMP::Diagnosis::WRONG_OPTION);
 }
 
-// Of 180 maps of such bumps, none was farther from its ratio than 13 %, and none with 64 border edges than 6 %.
+// Of 180 maps of such bumps, none was farther from its ratio than 10 %, and none with 64 border edges than 4 %.
 BOOST_AUTO_TEST_CASE(of_bumps_meet_a_ratio)
 {
   for(int i = 0; i < (is_quick ? 15 : 60); ++i) {
     const int n = 6 + i % 15;
     BOOST_TEST_CONTEXT("bump " << i)
     for(double ratio : {1., 2., 0.5})
-      check_ratio(mesh_of_chart<Mesh>(bump(n, i, 0.2 + 0.02 * (i % 30))), ratio, n < 16 ? 0.13 : 0.06);
+      check_ratio(mesh_of_chart<Mesh>(bump(n, i, 0.2 + 0.02 * (i % 30))), ratio, n < 16 ? 0.1 : 0.04);
   }
 }
 
@@ -284,6 +285,13 @@ BOOST_AUTO_TEST_CASE(of_bad_input)
   check_failure(report, Diagnosis::SHORT_BORDER, {Vertex(1), Vertex(2), Vertex(3)});
 }
 
+namespace {
+
+// Also of NaN
+const auto same = [](const auto& p, const auto& q) { return std::memcmp(&p, &q, sizeof(p)) == 0; };
+
+} // namespace
+
 // Numbers of 32 bits hold two small triangles beside the origin, and not beside the opposite corner.
 BOOST_AUTO_TEST_CASE(are_fitted_to_the_number_type)
 {
@@ -300,7 +308,7 @@ BOOST_AUTO_TEST_CASE(are_fitted_to_the_number_type)
   const auto report = SMP::fit_rectangle(mesh, uv, {corners[2], corners[3], corners[0], corners[1]}, 2);
   BOOST_TEST(report.status == SMP::Diagnosis::PRECISION_EXCEEDED, report.message);
   BOOST_TEST(report.offending_faces.size() == 2);
-  BOOST_TEST(std::equal(uv.begin(), uv.end(), before.begin()));
+  BOOST_TEST(std::equal(uv.begin(), uv.end(), before.begin(), same));
 }
 
 // Nothing is written where something is wrong.
@@ -321,7 +329,7 @@ BOOST_AUTO_TEST_CASE(that_cannot_be_fitted)
     BOOST_TEST(!report.message.empty());
     BOOST_TEST(report.offending_vertices.size() == vertices);
     BOOST_TEST(report.offending_faces.size() == faces);
-    BOOST_TEST(std::equal(uv.begin(), uv.end(), before.begin()));
+    BOOST_TEST(std::equal(uv.begin(), uv.end(), before.begin(), same));
   };
   for(double ratio : {0., -1., (std::numeric_limits<double>::infinity)(), std::nan("")})
     check(corners, ratio, Diagnosis::WRONG_OPTION, 0, 0);
@@ -345,7 +353,7 @@ BOOST_AUTO_TEST_CASE(meet_a_ratio_on_a_coarse_border)
   BOOST_REQUIRE(CGAL::IO::read_polygon_mesh(test_data::CGAL_meshes / "lion-head.off", mesh));
   BOOST_TEST(CGAL::halfedges_around_face(longest_border(mesh), mesh).size() == 36);
   for(double ratio : {1., 2., 0.5})
-    check_ratio(mesh, ratio, 0.04);
+    check_ratio(mesh, ratio, 0.025);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -364,7 +372,7 @@ BOOST_AUTO_TEST_CASE(meet_a_ratio)
         CGAL::IO::read_polygon_mesh(test_data::reference_disks / (disk + std::string("_disk.ply")), mesh));
     BOOST_TEST_CONTEXT(disk)
     for(double ratio : {1., 2., 0.5})
-      check_ratio(mesh, ratio, 0.065);
+      check_ratio(mesh, ratio, 0.025);
   }
 }
 

@@ -51,7 +51,7 @@ struct Rectangle_fit_report : Mesh_report<TriangleMesh>
   /// By how much the angles in the plane changed, in radians: the mean of all corners of all triangles
   double mean_angle_change = 0;
   /// The largest of these changes. It is at most \f$2\arcsin(|s - 1| / (s + 1))\f$ if the ratio changed by the factor
-  /// \f$s\f$.
+  /// \f$s\f$, up to the rounding of very short edges.
   double largest_angle_change = 0;
 };
 

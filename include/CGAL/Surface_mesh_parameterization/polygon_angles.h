@@ -217,17 +217,18 @@ struct Rectangle_report : Polygon_report<TriangleMesh>
 /// chooses four corners on the border of `bhd` so that the sides of the rectangle have a given ratio, and returns its
 /// angles.
 ///
-/// The ratio of each rectangle is predicted from a conformal map of the border to the boundary of a half-plane, and is
-/// usually within 2 % of the ratio of the map. Among the rectangles that are predicted to have the ratio, the function
-/// takes one where the border is fine at the corners, so that angles change little. The map meets the ratio only
-/// approximately; `fit_rectangle()` removes the rest. Section \ref ABF_angles_ratio says how well.
+/// A conformal map of the border to the boundary of a half-plane gives an estimate of the ratio of each rectangle. Among
+/// the rectangles that are near to the wanted ratio, the function takes one where the border is fine at the corners, so
+/// that angles change little. Harmonic functions predict the ratio of this rectangle, and it is replaced by another one
+/// while the prediction is not within 1 %. The map meets the ratio only approximately; `fit_rectangle()` removes the
+/// rest. Section \ref ABF_angles_ratio says how well.
 ///
 /// The border vertex that `bhd` points to is not a corner in general. The first corner is one of the two that are
 /// possible: the one that comes first counterclockwise from there. The map of `parameterize()` may turn the first side
 /// to any direction.
 ///
-/// The function solves three linear systems with nearly as many unknowns as there are vertices, and looks at
-/// \cgalBigO{\log b} rectangles for each of up to 64 first corners, with \f$b\f$ border vertices.
+/// The function solves 3 to 15 linear systems with nearly as many unknowns as there are vertices. With \f$b\f$ border
+/// vertices, it looks at \cgalBigO{\log b} rectangles for each of up to 64 first corners.
 ///
 /// \tparam TriangleMesh a model of `FaceGraph` whose vertex descriptors are ordered by `<`
 /// \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

@@ -24,60 +24,69 @@
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <string>
 #include <vector>
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
 // Looks at rectangles whose first and third corner are half the length of the border apart. As the second corner moves
-// away from the first and the fourth from the third, the rectangle becomes wider. Ratios are predicted to about a
-// hundredth. Of all rectangles that are as near to the wanted ratio, the search takes one where the border is fine at
-// the corners, so that angles change little.
+// away from the first and the fourth from the third, the rectangle becomes wider. Of all rectangles that are estimated
+// to be as near to the wanted ratio, the search takes one where the border is fine at the corners, so that angles change
+// little. Harmonic functions then predict its ratio, and the search is repeated with the estimate corrected.
 class Rectangle_search
 {
   static constexpr double small_deviation = 0.01; // of logarithms
-  static constexpr int most_first_corners = 64;
+  static constexpr int most_first_corners = 64, most_corrections = 6;
 
 public:
   Rectangle_search(const Chart& chart, double aspect_ratio, const Linear_solvers& solvers)
-      : m_chart(chart), m_aspect_ratio(aspect_ratio), m_size(static_cast<int>(chart.borders.front().size()))
+      : m_chart(chart), m_wanted(aspect_ratio), m_size(static_cast<int>(chart.borders.front().size())),
+        m_harmonic(chart, solvers)
   {
     m_arc.push_back(0); // edges without length have a little, so that there is nothing to divide by 0
     for(int c : chart.borders.front())
       m_arc.push_back(m_arc.back() + edge_length(chart, c) + 1e-9);
-    Corners quarters = {0, 0, 0, 0};
-    for(int i = 1; i < 4; ++i)
-      quarters[i] =
-          (std::min)((std::max)(rank_at(i * m_arc.back() / 4), quarters[i - 1] + 1), m_size - 4 + i);
-    m_ratio = Rectangle_ratio::make(chart, quarters, solvers);
-    m_last_first_corner = quarters[2];
+    m_opposite = (std::min)((std::max)(rank_at(m_arc.back() / 2), 2), m_size - 2);
+    m_estimate = Ratio_estimate::make(m_harmonic, m_opposite);
   }
 
   Rectangle_corners run()
   {
     Rectangle_corners result;
-    if(!m_ratio) {
-      result.defect = {Diagnosis::LINEAR_SYSTEM_FAILED, "the linear solver failed", {}, {}};
-      return result;
+    if(!m_estimate)
+      return failure(Diagnosis::LINEAR_SYSTEM_FAILED, "the linear solver failed");
+    const double aspect_ratio = m_wanted;
+    const auto deviation = [&](double ratio) { return std::abs(std::log(ratio) - std::log(aspect_ratio)); };
+    for(int i = 0; i <= most_corrections && (i == 0 || deviation(result.aspect_ratio) > small_deviation);
+        ++i) {
+      search();
+      const std::optional<double> ratio = m_harmonic.ratio(m_best);
+      if(!ratio)
+        return failure(Diagnosis::LINEAR_SYSTEM_FAILED, "the linear solver failed");
+      if(i == 0 || deviation(*ratio) < deviation(result.aspect_ratio)) {
+        for(int k = 0; k < 4; ++k)
+          result.vertices[k] = m_harmonic.border_vertex(m_best[k]);
+        result.aspect_ratio = *ratio;
+      }
+      m_wanted *= std::sqrt(aspect_ratio / *ratio); // half of the way, since neighbours differ by more
     }
-    const int step = (std::max)(m_last_first_corner / most_first_corners, 1);
-    for(int first = 0; first < m_last_first_corner; first += step)
-      search(first);
-    if(m_aspect_ratio < m_lowest * std::exp(-small_deviation) ||
-       m_aspect_ratio > m_widest * std::exp(small_deviation)) {
-      result.defect = out_of_reach();
-      return result;
-    }
-    // The third corner could as well be the first one: it is the one that comes first on the border.
-    if(m_best[2] < m_best[0])
-      std::rotate(m_best.begin(), m_best.begin() + 2, m_best.end());
-    for(int i = 0; i < 4; ++i)
-      result.vertices[i] = m_chart.edge_source(m_chart.borders.front()[m_best[i]]);
-    result.aspect_ratio = m_best_ratio;
+    if(deviation(result.aspect_ratio) > small_deviation &&
+       (m_wanted < m_lowest || m_wanted > m_widest)) // no other rectangle is nearer
+      return out_of_reach(aspect_ratio, result.aspect_ratio);
     return result;
   }
 
 private:
-  typedef Rectangle_ratio::Corners Corners;
+  void search()
+  {
+    m_best_deviation = (std::numeric_limits<double>::infinity)();
+    const int step = (std::max)(m_opposite / most_first_corners, 1);
+    for(int first = 0; first < m_opposite; first += step)
+      search_with(first);
+    // The third corner could as well be the first one: it is the one that comes first on the border.
+    if(m_best[2] < m_best[0])
+      std::rotate(m_best.begin(), m_best.begin() + 2, m_best.end());
+  }
 
   // The rank of the vertex nearest to a position on the border
   int rank_at(double arc) const
@@ -88,20 +97,20 @@ private:
     return (arc - *(next - 1) < *next - arc ? rank - 1 : rank) % m_size;
   }
 
-  void search(int first)
+  void search_with(int first)
   {
     const double half = m_arc.back() / 2;
     const int third = rank_at(m_arc[first] + half);
     try_corners({first, first + 1, third, third + 1});
     try_corners({first, third - 1, third, first - 1});
     double lower = 0, upper = 1;
-    Corners corners = {first, 0, third, 0};
+    Rectangle_ranks corners = {first, 0, third, 0};
     for(double width = m_arc.back(); width > m_arc.back() / m_size / 2; width /= 2) {
       const double part = (lower + upper) / 2;
       corners[1] = rank_at(m_arc[first] + part * half);
       corners[3] = rank_at(m_arc[first] + (1 + part) * half);
       const std::optional<double> ratio = try_corners(corners);
-      const bool is_low = ratio ? *ratio < m_aspect_ratio : part < 0.5;
+      const bool is_low = ratio ? *ratio < m_wanted : part < 0.5;
       (is_low ? lower : upper) = part;
     }
     for(int i = -2; i <= 2; ++i)
@@ -111,50 +120,53 @@ private:
   }
 
   // Returns the ratio of a rectangle, and keeps the best one. Returns nothing if these are not corners of a rectangle.
-  std::optional<double> try_corners(Corners corners)
+  std::optional<double> try_corners(Rectangle_ranks corners)
   {
     for(int& c : corners)
       c = (c + m_size) % m_size;
     const auto steps = [&](int i) { return (corners[i] - corners[0] + m_size) % m_size; };
     if(!(0 < steps(1) && steps(1) < steps(2) && steps(2) < steps(3)))
       return std::nullopt;
-    const double ratio = (*m_ratio)(corners);
+    const double ratio = (*m_estimate)(corners);
     m_lowest = (std::min)(m_lowest, ratio);
     m_widest = (std::max)(m_widest, ratio);
-    const double deviation =
-        (std::max)(std::abs(std::log(ratio) - std::log(m_aspect_ratio)), small_deviation);
+    const double deviation = (std::max)(std::abs(std::log(ratio) - std::log(m_wanted)), small_deviation);
     if(deviation > m_best_deviation)
       return ratio;
-    double coarseness = 0;
-    for(int i = 0; i < 4; ++i)
-      coarseness += m_ratio->coarseness(corners[(i + 3) % 4], corners[i], corners[(i + 1) % 4]);
+    const double coarseness = m_estimate->coarseness(corners);
     if(deviation < m_best_deviation || coarseness < m_best_coarseness) {
       m_best = corners;
-      m_best_ratio = ratio;
       m_best_deviation = deviation;
       m_best_coarseness = coarseness;
     }
     return ratio;
   }
 
-  Chart_defect out_of_reach() const
+  static Rectangle_corners failure(Diagnosis diagnosis, const std::string& message)
+  {
+    Rectangle_corners result;
+    result.defect = {diagnosis, message, {}, {}};
+    return result;
+  }
+
+  static Rectangle_corners out_of_reach(double wanted, double nearest)
   {
     std::ostringstream message;
-    message << "no rectangle has a ratio of sides of " << m_aspect_ratio << ": ratios from " << m_lowest
-            << " to " << m_widest << " are possible on this border";
-    return {Diagnosis::WRONG_OPTION, message.str(), {}, {}};
+    message << "no rectangle on this border has a ratio of sides of " << wanted
+            << ": the nearest one found has " << nearest;
+    return failure(Diagnosis::WRONG_OPTION, message.str());
   }
 
   const Chart& m_chart;
-  const double m_aspect_ratio;
+  double m_wanted; // estimate
   const int m_size;
+  const Harmonic_functions m_harmonic;
   std::vector<double> m_arc; // from the first vertex of the border to each of them
-  std::optional<Rectangle_ratio> m_ratio;
-  int m_last_first_corner = 0;
-  double m_lowest = (std::numeric_limits<double>::infinity)(), m_widest = 0;
-  Corners m_best = {0, 0, 0, 0};
-  double m_best_ratio = 0;
-  double m_best_deviation = (std::numeric_limits<double>::infinity)();
+  int m_opposite = 0;        // the rank of the vertex opposite of the first one
+  std::optional<Ratio_estimate> m_estimate;
+  double m_lowest = (std::numeric_limits<double>::infinity)(), m_widest = 0; // estimates
+  Rectangle_ranks m_best = {0, 0, 0, 0};
+  double m_best_deviation = 0;
   double m_best_coarseness = 0;
 };
 

@@ -31,17 +31,30 @@
 
 namespace CGAL::Surface_mesh_parameterization::internal::ABF {
 
-// Harmonic functions with values at some vertices of the outer border. The matrix has twice the usual weights.
+// Four ranks in the outer border, in ascending order but for a rotation
+typedef std::array<int, 4> Rectangle_ranks;
+
+// Harmonic functions on a chart with values at some vertices
 class Harmonic_functions
 {
 public:
+  typedef std::vector<std::optional<double>> Values;
+
   Harmonic_functions(const Chart& chart, const Linear_solvers& solvers)
       : m_chart(chart), m_solvers(solvers), m_weights(cotangents(starting_angles(target_angles(chart))))
   {}
 
-  // Sets the values that `u` does not have, with a current that flows into the first vertex of the border and out where
-  // values are given. Returns false if the linear solver fails.
-  bool solve(std::vector<std::optional<double>>& u, double current) const
+  std::size_t number_of_vertices() const { return m_chart.points.size(); }
+  int border_size() const { return static_cast<int>(m_chart.borders.front().size()); }
+
+  int border_vertex(int rank) const
+  {
+    return m_chart.edge_source(m_chart.borders.front()[rank % border_size()]);
+  }
+
+  // Sets the values that `u` does not have, with a current that comes in at a vertex without a value, or without one if
+  // `inlet` is -1. Returns false if the linear solver fails.
+  bool solve(Values& u, int inlet) const
   {
     std::vector<int> unknown(u.size(), -1);
     int n = 0;
@@ -51,8 +64,8 @@ public:
     if(n == 0)
       return true;
     Eigen::VectorXd source = Eigen::VectorXd::Zero(n), solution;
-    if(current > 0)
-      source[unknown[m_chart.edge_source(m_chart.borders.front().front())]] = 2 * current;
+    if(inlet >= 0)
+      source[unknown[inlet]] = 2; // the matrix has twice the usual weights
     for(int c = 0; c < m_chart.number_of_corners(); ++c)
       for(const auto& [v, w] : {std::pair(m_chart.edge_source(c), m_chart.edge_target(c)),
                                 std::pair(m_chart.edge_target(c), m_chart.edge_source(c))})
@@ -68,14 +81,26 @@ public:
     return true;
   }
 
-  // The Dirichlet energy of the function that is 1 between two ranks of the border, and 0 between two others
-  std::optional<double> energy(std::pair<int, int> one, std::pair<int, int> zero) const
+  // The ratio of the sides of a rectangle, from the Dirichlet energies of the functions that are 1 on a side and 0 on
+  // the opposite one. On a mesh, these are above those of the surface. Of the two pairs of sides, one gives the ratio
+  // and the other its inverse: the geometric mean removes most of that. Returns nothing if the linear solver fails.
+  std::optional<double> ratio(const Rectangle_ranks& corners) const
   {
-    std::vector<std::optional<double>> u(m_chart.points.size());
-    for(const auto& [side, value] : {std::pair(one, 1.), std::pair(zero, 0.)})
-      for(int i = side.first; i <= side.second; ++i)
+    const auto width = energy(corners, 0), height = energy(corners, 1);
+    return width && height ? std::optional(std::sqrt(*width / *height)) : std::nullopt;
+  }
+
+private:
+  std::optional<double> energy(const Rectangle_ranks& corners, int side) const
+  {
+    Values u(m_chart.points.size());
+    for(const auto& [first, value] : {std::pair(side, 1.), std::pair(side + 2, 0.)}) {
+      const int last = corners[(first + 1) % 4];
+      for(int i = corners[first]; i % border_size() != last; ++i)
         u[border_vertex(i)] = value;
-    if(!solve(u, 0))
+      u[border_vertex(last)] = value;
+    }
+    if(!solve(u, -1))
       return std::nullopt;
     double sum = 0;
     for(int c = 0; c < m_chart.number_of_corners(); ++c)
@@ -83,59 +108,36 @@ public:
     return sum;
   }
 
-  int border_vertex(int rank) const
-  {
-    const std::vector<int>& border = m_chart.borders.front();
-    return m_chart.edge_source(border[rank % border.size()]);
-  }
-
-private:
   const Chart& m_chart;
   const Linear_solvers m_solvers;
   const std::vector<double> m_weights;
 };
 
-// Predicts ratios of sides of rectangles, from three linear systems.
+// Estimates the ratios of all rectangles from one harmonic function.
 //
 // Let u be the potential of a current that flows from one border vertex to another. It maps the surface conformally to
 // a strip, and exp(pi u) maps the strip to a half-plane: to the positive numbers on one side of the border, and to the
 // negative ones on the other. A conformal rectangle is determined by the cross-ratio of its corners there (L. V.
-// Ahlfors, Conformal Invariants, Section 4-6). Where the border is coarse, this is much nearer to the ratio in the
-// plane than potentials between the sides of the rectangle, which have singularities at its corners.
-//
-// On a mesh, the conductance is above that of the surface. For the two pairs of sides of a rectangle, the product of
-// both conductances is 1 on the surface, and says by how much.
-class Rectangle_ratio
+// Ahlfors, Conformal Invariants, Section 4-6). On coarse meshes, the ratio is wrong by some hundredths.
+class Ratio_estimate
 {
 public:
-  // Ranks in the outer border, in ascending order but for a rotation
-  typedef std::array<int, 4> Corners;
-
-  // `quarters` starts with 0, and divides the border into parts that are long enough for a rectangle. Returns nothing if
-  // the linear solver fails.
-  static std::optional<Rectangle_ratio> make(const Chart& chart, const Corners& quarters,
-                                             const Linear_solvers& solvers)
+  // Returns nothing if the linear solver fails.
+  static std::optional<Ratio_estimate> make(const Harmonic_functions& harmonic, int outlet)
   {
-    const int size = static_cast<int>(chart.borders.front().size());
-    const Harmonic_functions harmonic(chart, solvers);
-    std::vector<std::optional<double>> potential(chart.points.size());
-    potential[harmonic.border_vertex(quarters[2])] = 0;
-    if(!harmonic.solve(potential, 1))
+    Harmonic_functions::Values u(harmonic.number_of_vertices());
+    u[harmonic.border_vertex(outlet)] = 0;
+    if(!harmonic.solve(u, harmonic.border_vertex(0)))
       return std::nullopt;
-    const auto width = harmonic.energy({0, quarters[1]}, {quarters[2], quarters[3]}),
-               height = harmonic.energy({quarters[1], quarters[2]}, {quarters[3], size});
-    if(!width || !height)
-      return std::nullopt;
-    const double excess = std::sqrt((std::max)(*width * *height, 1.));
-    std::vector<double> of_border;
-    for(int i = 0; i < size; ++i)
-      of_border.push_back(*potential[harmonic.border_vertex(i)] * excess);
-    return Rectangle_ratio(std::move(of_border), quarters[2]);
+    std::vector<double> potential;
+    for(int i = 0; i < harmonic.border_size(); ++i)
+      potential.push_back(*u[harmonic.border_vertex(i)]);
+    return Ratio_estimate(std::move(potential), outlet);
   }
 
   // The length of the side from the first corner to the second one, divided by that of the next side: the quotient of
   // two elliptic integrals, by arithmetic-geometric means
-  double operator()(const Corners& c) const
+  double operator()(const Rectangle_ranks& c) const
   {
     const double difference = log_distance(c[0], c[1]) + log_distance(c[2], c[3]) - log_distance(c[1], c[2]) -
                               log_distance(c[3], c[0]);
@@ -148,31 +150,37 @@ public:
     return mean(-difference) / mean(difference);
   }
 
-  // How coarse the border is at a corner between two others, by the cross-ratio with its neighbours. Angles change the
-  // more there, the larger it is.
-  double coarseness(int previous, int corner, int next) const
+  // How coarse the border is at the corners, by cross-ratios with their neighbours. Angles change the more there, the
+  // larger it is.
+  double coarseness(const Rectangle_ranks& c) const
   {
-    const int size = static_cast<int>(m_potential.size()), before = (corner + size - 1) % size,
-              after = (corner + 1) % size;
-    if(before == previous || after == next)
-      return 1;
-    return std::exp(log_distance(before, after) + log_distance(previous, next) -
-                    log_distance(previous, before) - log_distance(after, next));
+    const int size = static_cast<int>(m_potential.size());
+    double sum = 0;
+    for(int i = 0; i < 4; ++i) {
+      const int previous = c[(i + 3) % 4], next = c[(i + 1) % 4], before = (c[i] + size - 1) % size,
+                after = (c[i] + 1) % size;
+      sum += before == previous || after == next
+                 ? 1
+                 : std::exp(log_distance(before, after) + log_distance(previous, next) -
+                            log_distance(previous, before) - log_distance(after, next));
+    }
+    return sum;
   }
 
 private:
-  Rectangle_ratio(std::vector<double> potential, int sink) : m_potential(std::move(potential)), m_sink(sink)
+  Ratio_estimate(std::vector<double> potential, int outlet)
+      : m_potential(std::move(potential)), m_outlet(outlet)
   {}
 
   // The distance of two vertices of the border, up to a factor for each of them, which cross-ratios do not have
   double log_distance(int i, int j) const
   {
     const double x = (std::max)(CGAL_PI * std::abs(m_potential[i] - m_potential[j]), 1e-300);
-    return x / 2 + ((i < m_sink) == (j < m_sink) ? std::log(-std::expm1(-x)) : std::log1p(std::exp(-x)));
+    return x / 2 + ((i < m_outlet) == (j < m_outlet) ? std::log(-std::expm1(-x)) : std::log1p(std::exp(-x)));
   }
 
   std::vector<double> m_potential; // of each vertex of the outer border
-  int m_sink;
+  int m_outlet;
 };
 
 } // namespace CGAL::Surface_mesh_parameterization::internal::ABF
