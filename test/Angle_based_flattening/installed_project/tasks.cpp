@@ -122,6 +122,7 @@ bool makes_a_rectangle()
   const auto uv = add_uv(mesh);
   const auto border = PMP::longest_border(mesh).first;
   const auto rectangle = SMP::rectangle_angles(mesh, border, 2);
+  SMP::split_flat_chords(mesh, border, rectangle.angles);
   SMP::ABF_plus_plus_parameterizer_3<Mesh> parameterizer;
   parameterizer.set_angle_sums(rectangle.angles);
   if(!rectangle || SMP::parameterize(mesh, parameterizer, border, uv) != SMP::OK)
