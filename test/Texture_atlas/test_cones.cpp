@@ -579,9 +579,8 @@ BOOST_AUTO_TEST_CASE(what_has_no_cones)
         "only on a sphere or a disk");
   check(ball, 0, none, Diagnosis::INFEASIBLE_ANGLE_SUMS, "needs cones");
   for(std::size_t n : {1, 2})
-    BOOST_TEST(
-        check(ball, n, none, Diagnosis::INFEASIBLE_ANGLE_SUMS, "the cone at (").offending_vertices.size() >=
-        1u);
+    BOOST_TEST(check(ball, n, none, Diagnosis::INFEASIBLE_ANGLE_SUMS, "the cone at vertex ")
+                   .offending_vertices.size() >= 1u);
   check(ball, 3, with<Cone_options>(&Cone_options::angle_multiple, 2 * CGAL_PI),
         Diagnosis::INFEASIBLE_ANGLE_SUMS, "no multiples");
   BOOST_TEST(TA::select_cones(ring, 0).message == "");
@@ -699,7 +698,7 @@ BOOST_AUTO_TEST_CASE(what_has_no_map)
                          const std::string& part) {
     check_with(n, options, parameters::default_values(), stage, diagnosis, part);
   };
-  check(1, Cone_options(), CONES, Diagnosis::INFEASIBLE_ANGLE_SUMS, "the cone at (");
+  check(1, Cone_options(), CONES, Diagnosis::INFEASIBLE_ANGLE_SUMS, "the cone at vertex ");
   check(8, with<Cone_options>(&Cone_options::angle_multiple, 1), CONES, Diagnosis::WRONG_OPTION,
         "2 pi is not a multiple");
   check(8,

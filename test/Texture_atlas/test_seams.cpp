@@ -390,7 +390,7 @@ BOOST_AUTO_TEST_CASE(weights_count_instead_of_lengths)
     weights[Edge(17)] = wrong;
     const auto report = TA::select_seams(mesh, seams, Seam_options(), parameters::edge_weight_map(weights));
     BOOST_TEST(report.status == SMP::Diagnosis::WRONG_WEIGHT);
-    BOOST_TEST(report.message.find("the edge from (") != std::string::npos);
+    BOOST_TEST(report.message.find("the edge from vertex ") != std::string::npos);
   }
 }
 

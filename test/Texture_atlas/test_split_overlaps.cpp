@@ -618,7 +618,7 @@ BOOST_AUTO_TEST_CASE(weights_count_instead_of_lengths)
     weights[Edge(17)] = wrong;
     const auto report = flat.split(np);
     BOOST_TEST(report.status == SMP::Diagnosis::WRONG_WEIGHT);
-    BOOST_TEST(report.message.find("the edge from (") == 0u);
+    BOOST_TEST(report.message.find("the edge from vertex ") == 0u);
   }
 }
 
