@@ -101,7 +101,8 @@ Surface_soup hill(bool is_folded)
   return soup;
 }
 
-// Two halves of a tube with corners, whose points have a gap, two faces that lie over one another, and a square apart
+// Two halves of a tube with corners, with the same points on one side and a gap on the other, two faces that lie over
+// one another, and a square apart
 Surface_soup torn_tube()
 {
   Surface_soup soup;
@@ -109,7 +110,8 @@ Surface_soup torn_tube()
     add_sheet(
         8, 6,
         [&](Index i, Index j) {
-          const double angle = CGAL_PI * (half + i / 8.), radius = 1 + (i % 4 == 0 ? 0.4 : 0);
+          const double angle = half == 1 && i == 8 ? 0 : CGAL_PI * (half + i / 8.),
+                       radius = 1 + (i % 4 == 0 ? 0.4 : 0);
           return Surface_soup::Kernel::Point_3(radius * std::cos(angle), radius * std::sin(angle),
                                                0.5 * j + (half == 1 && i == 0 ? 1e-4 : 0));
         },
@@ -121,9 +123,23 @@ Surface_soup torn_tube()
   return soup;
 }
 
+// A flat ramp of one and a half turns, which overlaps itself in the plane
+Surface_soup ramp()
+{
+  Surface_soup soup;
+  add_sheet(
+      36, 2,
+      [](Index i, Index j) {
+        const double angle = CGAL_PI * i / 12, radius = 0.5 + 0.25 * j;
+        return Surface_soup::Kernel::Point_3(radius * std::cos(angle), radius * std::sin(angle), 0.02 * i);
+      },
+      soup);
+  return soup;
+}
+
 const std::vector<Surface_soup>& soups()
 {
-  static const std::vector<Surface_soup> all{hill(false), hill(true), torn_tube()};
+  static const std::vector<Surface_soup> all{hill(false), hill(true), torn_tube(), ramp()};
   return all;
 }
 
@@ -194,7 +210,8 @@ Changes<Soup_options> changed_atlas()
 bool may_be_idle(const std::string& option, const std::string& situation)
 {
   const std::set<std::string> of_maps = {"separate_overlaps", "equal_seam_lengths",          "area_weight",
-                                         "isometric_charts",  "maximum_number_of_terminals", "symmetric"};
+                                         "isometric_charts",  "maximum_number_of_terminals", "symmetric",
+                                         "seam_price"};
   return of_maps.count(option) > 0 || (situation == "not packed" && option == "block");
 }
 
