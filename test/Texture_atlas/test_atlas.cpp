@@ -154,6 +154,10 @@ BOOST_AUTO_TEST_CASE(every_face_has_a_chart_or_a_reason)
     wishes.resolution = 64 << uniform_int(random, 0, 2);
     wishes.gutter = uniform_int(random, 0, 3);
     wishes.packs = uniform_int(random, 0, 3) > 0;
+    if(!wishes.packs) {
+      wishes.resolution = Atlas_options().resolution;
+      wishes.gutter.reset();
+    }
     wishes.stretch_bound = uniform_int(random, 0, 3) == 0 ? 1.02 : 1.1;
     const bool has_weights = wishes.packs && uniform_int(random, 0, 2) == 0;
     wishes.weight.assign(mesh.number_of_faces() + mesh.number_of_removed_faces(), 1);

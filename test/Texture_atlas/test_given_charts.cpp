@@ -217,6 +217,7 @@ BOOST_AUTO_TEST_CASE(not_packed_they_have_their_size_in_space)
   Charted_mesh charts = Charted_mesh::random(9);
   Atlas_options options = options_of(Atlas_options::KEEP);
   options.pack_into_square = false;
+  options.resolution = Atlas_options().resolution;
   Wishes wishes;
   wishes.packs = false;
   wishes.stretch_bound = 2;

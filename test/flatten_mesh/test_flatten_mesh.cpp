@@ -169,7 +169,11 @@ BOOST_AUTO_TEST_CASE(holes)
   check_success();
   for(const std::string method : {"direct", "hierarchical"}) {
     flatten(input, "--holes solve --method " + method);
-    check_success();
+    if(method == "direct")
+      check_success();
+    else
+      check_told("holes were filled instead of solved: the coarse chart would consist of little but holes");
+    BOOST_TEST(status == 0);
     flatten(input, "--holes fill --method " + method);
     check_success();
   }
@@ -232,7 +236,7 @@ BOOST_AUTO_TEST_CASE(a_stray_vertex_is_named)
     moved += v == 80 ? "0 0 -1e6\n" : line + "\n";
   flatten(write("stray.off", off(sheet.vertices(), moved, sheet.faces())));
   BOOST_TEST(status == 2);
-  check_told("remove vertex 81, at (0, 0, -1e+06)");
+  check_told("remove vertex 81 (0, 0, -1e+06)");
 }
 
 BOOST_AUTO_TEST_CASE(all_options)
@@ -454,7 +458,6 @@ BOOST_AUTO_TEST_CASE(where_the_hierarchical_method_starts)
   check_success();
   BOOST_TEST(json().get<std::string>("start") == "COARSE_PARAMETERIZER");
   BOOST_TEST(json().get_child("failed_coarse_charts").empty());
-  BOOST_TEST(json().get_child("notes").empty());
   flatten(dinosaur(), "--method direct");
   BOOST_TEST(json().get<std::string>("start") == "null");
 }
@@ -882,7 +885,7 @@ BOOST_AUTO_TEST_CASE(wrong_faces)
     return off(sheet.vertices() + 2, sheet.points() + "3 3 9\n4 4 9\n", faces);
   };
   const int more = sheet.vertices();
-  check_refused("twice.off", with({{more, more + 1, more}}), {"face 49", "names vertex 36 twice"});
+  check_refused("twice.off", with({{more, more + 1, more}}), {"face 49", "names vertex 36 (3, 3, 9) twice"});
   check_refused("short_face.off", with({{more, more + 1}}), {"short_face.off"});
   check_refused("absent.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n",
                 {"absent.obj", "line 4", "vertex 4", "does not exist"});
@@ -894,10 +897,10 @@ BOOST_AUTO_TEST_CASE(wrong_faces)
   check_refused("plane.obj", "v 0 0\n", {"line 1", "three coordinates"});
   check_refused("named_twice.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 3\n",
                 {"line 5", "names vertex 3 twice"});
-  check_refused("third.off", with({{0, 8, more}}), {"between vertices 1 and 9", "3 faces", "manifold"},
-                "--repair off");
-  check_refused("turned.off", with({{1, 0, more}, {1, 0, more + 1}}), {"between vertices 1 and 2"},
-                "--repair off");
+  check_refused("third.off", with({{0, 8, more}}),
+                {"between vertex 1 (0, 0, 0) and vertex 9 (", "3 faces", "manifold"}, "--repair off");
+  check_refused("turned.off", with({{1, 0, more}, {1, 0, more + 1}}),
+                {"between vertex 1 (0, 0, 0) and vertex 2 ("}, "--repair off");
 }
 
 BOOST_AUTO_TEST_CASE(surfaces_joined_at_an_edge_are_separated)
@@ -911,7 +914,7 @@ BOOST_AUTO_TEST_CASE(surfaces_joined_at_an_edge_are_separated)
   const std::string input = write("joined.off", off(6, points, faces));
   for(const std::string cut : {"auto", "topology"}) {
     flatten(input, "--repair off --cut " + cut);
-    check_refusal({"between vertices 1 and 2 has 4 faces"});
+    check_refusal({"between vertex 1 (0, 0, 0) and vertex 2 (0, 0, 1) has 4 faces"});
   }
   for(const std::string cut : {"auto", "topology"}) {
     flatten(input, "--cut " + cut);
@@ -985,7 +988,7 @@ BOOST_AUTO_TEST_CASE(orientation)
   std::vector<std::vector<int>> faces = Sheet().faces();
   std::swap(faces[1][1], faces[1][2]);
   check_refused("orientation.off", off(Sheet().vertices(), Sheet().points(), faces),
-                {"oriented differently", "faces 2 and 13", "vertices 8 and 9"}, "--repair off");
+                {"oriented differently", "faces 2 and 13", "vertex 8 (", "vertex 9 ("}, "--repair off");
 }
 
 BOOST_AUTO_TEST_CASE(bow_tie)

@@ -266,7 +266,7 @@ BOOST_AUTO_TEST_CASE(that_are_not_possible_are_refused)
   check_refusal({"cannot choose cones", "needs cones"});
   for(const std::string number : {"1", "2"}) {
     flatten(sphere, "--cones " + number);
-    check_refusal({"cannot choose cones", "(vertex "});
+    check_refusal({"cannot choose cones", "the cone at vertex "});
   }
   flatten(sphere, "--cones 3 --cone-angle-multiple 180");
   check_refusal({"cannot choose cones", "take more cones"});
