@@ -112,7 +112,7 @@ struct Atlas_options : Seam_options, Packing_options
   Given_charts given_charts = REPLACE;
 
   /// How much injective maps preserve areas, from 0 to 1 (see `Flattening_options::area_weight`). The default is larger
-  /// than for single charts, because an atlas should have even texels.
+  /// than for single charts, because an atlas should have even texels. With `isometric_charts`, it has no other value.
   double area_weight = 1;
 
   /// Whether a map of ABF++ that overlaps itself is split into several charts, as by `split_overlaps()`. Otherwise, an

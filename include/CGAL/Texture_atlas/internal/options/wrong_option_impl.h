@@ -75,7 +75,9 @@ inline std::string idle_atlas_option(const Atlas_options& options, const Option_
       .check(options.given_charts == Atlas_options::KEEP, {"maximum_number_of_terminals", "area_weight"},
              "charts that are kept are neither cut nor flattened")
       .check(options.given_charts == Atlas_options::KEEP && options.stretch_bound != 2, {"stretch_bound"},
-             "charts that are kept are not flattened");
+             "charts that are kept are not flattened")
+      .check(options.isometric_charts, {"area_weight"},
+             "isometric charts preserve areas as much as they can; set isometric_charts to false");
   return idle.wrong();
 }
 
