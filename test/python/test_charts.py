@@ -47,11 +47,15 @@ def test_failed_coarse_charts():
     vertices, faces = meshes.hill(40, 6)
     report = abf.flatten(vertices, faces, method="hierarchical", fallbacks=False).report
     assert (report["start"], report["note"], report["failed_coarse_charts"]) == ("COARSE_PARAMETERIZER", "", [])
-    noise = vertices + [0, 0, 1] * np.random.default_rng(1).uniform(-30, 30, (len(vertices), 1))
+    noise = vertices + [0, 0, 1] * np.random.default_rng(2).uniform(-20, 20, (len(vertices), 1))
     report = abf.flatten(noise, faces, method="hierarchical").report
+    assert report["start"] == "PROGRESSIVE_EMBEDDING" and "one triangle" in report["note"]
+    assert len(report["failed_coarse_charts"]) > 0
     for chart in report["failed_coarse_charts"]:
         assert chart["triangles"] > chart["vertices"] > 0 and chart["message"] and chart["error"].startswith("ERROR_")
-    assert bool(report["note"]) == (report["start"] == "PROGRESSIVE_EMBEDDING" or "embedding" in report["note"])
+    with pytest.raises(abf.MeshError) as error:
+        abf.flatten(noise, faces, method="hierarchical", fallbacks=False)
+    assert error.value.status == "COARSE_CHART_FAILED"
 
 
 def test_polygons():
