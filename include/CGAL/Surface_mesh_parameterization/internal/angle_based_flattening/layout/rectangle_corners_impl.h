@@ -40,7 +40,7 @@ class Rectangle_search
 
 public:
   Rectangle_search(const Chart& chart, double aspect_ratio, const Linear_solvers& solvers)
-      : m_chart(chart), m_wanted(aspect_ratio), m_size(static_cast<int>(chart.borders.front().size())),
+      : m_wanted(aspect_ratio), m_size(static_cast<int>(chart.borders.front().size())),
         m_harmonic(chart, solvers)
   {
     m_arc.push_back(0); // edges without length have a little, so that there is nothing to divide by 0
@@ -157,7 +157,6 @@ private:
     return failure(Diagnosis::WRONG_OPTION, message.str());
   }
 
-  const Chart& m_chart;
   double m_wanted; // estimate
   const int m_size;
   const Harmonic_functions m_harmonic;
