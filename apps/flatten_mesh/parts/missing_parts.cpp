@@ -69,7 +69,8 @@ Gltf_surface gltf_surface(std::string_view, bool, const std::string&, const Gltf
   CGAL_error_msg("built without the part for .glb files");
 }
 
-std::string gltf_with_texture(const Gltf_file&, const std::vector<Gltf_triangles>&, bool, const std::string&)
+std::string gltf_with_texture(const Gltf_file&, const std::vector<Gltf_triangles>&, const Gltf_texture&,
+                              const std::string&)
 {
   CGAL_error_msg("built without the part for .glb files");
 }
