@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Angle_based_flattening authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints what a package of Node.js reads of each file, or makes of it, in a line of JSON, as the script `run` wants it. A face is
-// the list of its corners: x, y, z, and u, v of each set of texture coordinates, in which v points upwards.
+// Prints what a package of Node.js reads of each file, or makes of it, in a line of JSON, as the script `run` wants it.
+// A face is the list of its corners: x, y, z, and u, v of each set of texture coordinates, in which v points upwards.
 // Usage: node read_in_node.mjs 'READER [OPTION...]' FILE...
 import fs from 'fs';
 import os from 'os';
@@ -95,7 +95,9 @@ async function readBabylon(file) {
     const points = mesh.getVerticesData('position');
     const sets = ['uv', 'uv2'].map(name => mesh.getVerticesData(name)).filter(set => set)
       .map(set => v => [set[2 * v], kind === '.glb' ? 1 - set[2 * v + 1] : set[2 * v + 1]]);
-    return triangles([...mesh.getIndices()], v => [...points.slice(3 * v, 3 * v + 3)], sets);
+    const indices = [...mesh.getIndices()];
+    if (kind === '.obj') indices.reverse(); // The front of its own materials is where vertices are clockwise.
+    return triangles(indices, v => [...points.slice(3 * v, 3 * v + 3)], sets);
   });
 }
 
