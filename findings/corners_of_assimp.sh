@@ -2,8 +2,8 @@
 # Copyright (c) 2026 The Angle_based_flattening authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# What was expected, of a PLY file with a list `texcoord` of each face, in which two triangles have different coordinates
-# at a common point: the coordinates of each corner, as of the same model in OBJ.
+# What was expected, of a PLY file with a list `texcoord` of each face, in which two triangles have different
+# coordinates at a common point: the coordinates of each corner, as of the same model in OBJ.
 # What happens, with assimp 5.2.4 (as it calls itself; Debian's 5.2.5): without a message, the common points have the
 # coordinates of the second triangle in both.
 # Needs g++ and apt-get; changes nothing outside of its temporary folder. Fails if the behaviour changes.
@@ -72,6 +72,6 @@ g++ -isystem root/usr/include read.cpp -o read "$libraries/libassimp.so" -Wl,-rp
 LD_LIBRARY_PATH=$libraries ./read | tee output
 diff output - <<'END'
 5.2.4
-two.obj: 0 0, 0.25 0, 0.25 0.25, 0.75 0.75, 1 1, 0.75 1
-two.ply: 0.75 0.75, 0.25 0, 1 1, 0.75 0.75, 1 1, 0.75 1
+two.obj: 0 0, 0.25 0, 0.25 0.25: 0.75 0.75, 1 1, 0.75 1
+two.ply: 0.75 0.75, 0.25 0, 1 1: 0.75 0.75, 1 1, 0.75 1
 END

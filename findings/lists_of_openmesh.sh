@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # What was expected, of a PLY file whose faces have a list beside that of their vertices: the mesh, without the list.
-# What happens, with OpenMesh 9.0: read_mesh() fails if the file is binary. If it is ASCII, it returns true, and the mesh
-# has one face of three, with the wrong vertices or not; without the list, it has all.
+# What happens, with OpenMesh 9.0: read_mesh() fails if the file is binary. If it is ASCII, it returns true, and the
+# mesh has one face of three. Without the list, it has all.
 # Needs g++ and apt-get; changes nothing outside of its temporary folder. Fails if the behaviour changes.
 set -euo pipefail
 folder=$(mktemp -d)
@@ -67,4 +67,8 @@ g++ -isystem root/usr/include read.cpp -o read -L "$libraries" -lOpenMeshCore
 LD_LIBRARY_PATH=$libraries ./read | tee output
 diff output - <<'END'
 OpenMesh 9.0
+ASCII without lists: returns 1, faces 3
+ASCII with lists: returns 1, faces 1
+binary without lists: returns 1, faces 3
+binary with lists: returns 0, faces 1
 END

@@ -2,9 +2,10 @@
 # Copyright (c) 2026 The Angle_based_flattening authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# What was expected: the program that @gltf-transform/cli exports runs a command with an option, as its command line does.
-# What happens, with @gltf-transform/cli 4.5.1: program.exec() takes options of one word only. An option with a hyphen is
-# unknown, written as pruneAttributes or as prune-attributes, and the message suggests the same name.
+# What was expected: the program that @gltf-transform/cli exports runs a command with an option, as its command line
+# does.
+# What happens, with @gltf-transform/cli 4.5.1: program.exec() takes options of one word only. An option with a hyphen
+# is unknown, written as pruneAttributes or as prune-attributes, and the message suggests the same name.
 # Needs node and npm. Changes nothing outside of its temporary folder. Fails if the behaviour changes.
 set -euo pipefail
 folder=$(mktemp -d)

@@ -70,7 +70,10 @@ Faces read_by_openmesh(const std::string& name)
 }
 
 // Lists of numbers, or of lists, as JSON
-void print(const float x) { std::cout << x; }
+void print(const float x)
+{
+  std::cout << x;
+}
 
 template <class T>
 void print(const std::vector<T>& list)

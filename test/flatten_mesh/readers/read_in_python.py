@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Angle_based_flattening authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints what a module of Python reads of each file, in a line of JSON, as the script `run` wants it. A face is the list
-of its corners: x, y, z, and u, v of each set of texture coordinates, in which v points upwards.
+"""Prints what a module of Python reads of each file, in a line of JSON, as the script `run` wants it. A face is the
+list of its corners: x, y, z, and u, v of each set of texture coordinates, in which v points upwards.
 Usage: read_in_python.py MODULE FILE..."""
 
 import contextlib
