@@ -76,12 +76,7 @@ public:
   bool read_faces(Report& report)
   {
     components.find([this](edge_descriptor e) { return is_given_seam(e); },
-                    [this]([[maybe_unused]] edge_descriptor e) {
-                      if constexpr(has_polygons)
-                        return is_in_polygon(e);
-                      else
-                        return false;
-                    });
+                    [this](edge_descriptor e) { return is_in_polygon(e); });
     if(components.are_all_bad())
       return true;
     Reading reading;
@@ -162,12 +157,16 @@ private:
   }
 
   // Whether both faces of an edge are parts of one polygon
-  bool is_in_polygon(edge_descriptor e) const
+  bool is_in_polygon([[maybe_unused]] edge_descriptor e) const
   {
-    const auto polygons = parameters::get_parameter(m_np, internal_np::face_patch);
-    const halfedge_descriptor h = halfedge(e, m_mesh);
-    return !CGAL::is_border(e, m_mesh) &&
-           get(polygons, face(h, m_mesh)) == get(polygons, face(opposite(h, m_mesh), m_mesh));
+    if constexpr(has_polygons) {
+      const auto polygons = parameters::get_parameter(m_np, internal_np::face_patch);
+      const halfedge_descriptor h = halfedge(e, m_mesh);
+      return !CGAL::is_border(e, m_mesh) &&
+             get(polygons, face(h, m_mesh)) == get(polygons, face(opposite(h, m_mesh), m_mesh));
+    } else {
+      return false;
+    }
   }
 
   bool read_weights([[maybe_unused]] std::vector<double>& weight, [[maybe_unused]] Report& report) const
