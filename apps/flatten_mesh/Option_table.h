@@ -155,7 +155,8 @@ private:
     static const std::map<std::string, std::string> shorter = {{"separate_overlaps", "separate"},
                                                                {"isometric_charts", "isometric"},
                                                                {"equal_seam_lengths", "equal-seams"},
-                                                               {"number_of_rotations", "rotations"}};
+                                                               {"number_of_rotations", "rotations"},
+                                                               {"quantization_bits", "quantize"}};
     const auto found = shorter.find(member);
     return found != shorter.end() ? found->second : boost::replace_all_copy(member, "_", "-");
   }

@@ -85,6 +85,22 @@ inline void check_gutter(const Values& values, Atlas_command& atlas)
   }
 }
 
+inline void check_quantization(const Values& values, const Atlas_command& atlas)
+{
+  if(!is_given(values, "quantize")) {
+    return;
+  }
+  if(atlas.is_in_world_units()) {
+    throw Usage_error("--quantize goes without --units world: the grid is that of the unit square");
+  }
+  if(is_given(values, "texels-per-unit")) {
+    throw Usage_error("--quantize and --texels-per-unit exclude each other: the grid is that of one page");
+  }
+  if(const std::string wrong = abf::wrong_quantization(atlas); !wrong.empty()) {
+    throw Usage_error("--quantize: " + wrong + "; see --help");
+  }
+}
+
 inline void check_seams(const Values& values, Command_line& command)
 {
   command.asks_for_stretch = is_given(values, "stretch-bound");
@@ -306,10 +322,11 @@ inline void check_atlas(const Values& values, Command_line& command)
   check_pages(command);
   check_gutter(values, atlas);
   if(atlas.pack_into_square) {
+    check_quantization(values, atlas);
     return;
   }
-  for(const char* option :
-      {"resolution", "texels-per-unit", "block", "gutter", "mip-levels", "rotations", "seam-price"}) {
+  for(const char* option : {"resolution", "texels-per-unit", "block", "gutter", "mip-levels", "rotations",
+                            "seam-price", "quantize"}) {
     if(is_given(values, option)) {
       throw Usage_error(std::string("--") + option +
                         " goes without --no-pack: it says how charts are packed");

@@ -202,6 +202,9 @@ inline void describe_atlas_options(Command_line& command, Option_table& table)
   table.number("mip-levels", atlas.mip_levels, "N", abf::Option_range{0, 10},
                "charts stay apart in N reduced copies of the texture (mipmaps): a gutter of 2^N texels");
   table.of_library("number_of_rotations", "N", "", command.atlas);
+  table.of_library("quantization_bits", "BITS",
+                   "Faces with a corner that finds no place there are named. It goes with one page",
+                   command.atlas);
   table.number(
       "simplify", atlas.simplified_triangles, "N", abf::Option_range{4},
       "first simplify the surface to N triangles, or to the fewest that keep it valid; the output is then "

@@ -42,7 +42,9 @@ inline void check_page_size(Atlas_command& atlas)
     throw Usage_error("--resolution takes a number, or two of them, as in 2048x1024; see --help");
   }
   atlas.height = height;
-  const std::string wrong = abf::wrong_option(static_cast<const TA::Packing_options&>(atlas));
+  TA::Packing_options packing = atlas;
+  packing.quantization_bits.reset(); // it is checked when the gutter is known
+  const std::string wrong = abf::wrong_option(packing);
   if(!wrong.empty()) {
     const bool is_divided = atlas.resolution % atlas.block == 0 && height % atlas.block == 0;
     throw Usage_error((is_divided ? "--resolution " + atlas.page : "--block " + std::to_string(atlas.block)) +

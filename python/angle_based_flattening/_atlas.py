@@ -65,7 +65,8 @@ def _given_mesh(vertices, faces, marked_seams, uv, ignored_faces, number: int | 
     return _core.GivenMesh(vertices, offsets, indices, marked_seams, uv, ignored_faces), offsets, indices
 
 
-_OF_PAGES = ("resolution", "height", "gutter", "block", "texels_per_unit", "number_of_rotations", "seam_price")
+_OF_PAGES = ("resolution", "height", "gutter", "block", "texels_per_unit", "number_of_rotations", "seam_price",
+             "quantization_bits")
 _OF_SEAMS = ("seams", "marked_seams", "seam_price", "symmetric")
 _OF_MAPS = ("purpose", "separate_overlaps", "isometric_charts", "stretch_bound", "area_weight", "equal_seam_lengths")
 

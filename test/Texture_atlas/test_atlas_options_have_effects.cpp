@@ -185,6 +185,7 @@ Changes<Soup_options> changed_atlas()
           {"block", set<O>(&O::block, 64)},
           {"texels_per_unit", set<O>(&O::texels_per_unit, 500.)},
           {"number_of_rotations", set<O>(&O::number_of_rotations, 1)},
+          {"quantization_bits", set<O>(&O::quantization_bits, std::optional<int>(12))},
           {"given_charts", set<O>(&O::given_charts, O::REPAIR)},
           {"given_charts", set<O>(&O::given_charts, O::KEEP)},
           {"area_weight", set<O>(&O::area_weight, 0.3)},
@@ -328,7 +329,8 @@ BOOST_AUTO_TEST_CASE(of_packing)
                              {"gutter", set<O>(&O::gutter, std::optional<int>(20))},
                              {"block", set<O>(&O::block, 64)},
                              {"texels_per_unit", set<O>(&O::texels_per_unit, 300.)},
-                             {"number_of_rotations", set<O>(&O::number_of_rotations, 1)}},
+                             {"number_of_rotations", set<O>(&O::number_of_rotations, 1)},
+                             {"quantization_bits", set<O>(&O::quantization_bits, std::optional<int>(12))}},
                             {{"one page", [](O&) {}}, {"pages", [](O& o) { o.texels_per_unit = 100; }}},
                             [](const O& options) {
                               Mesh mesh = bumpy_sphere();

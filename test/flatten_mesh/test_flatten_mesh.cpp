@@ -384,7 +384,7 @@ BOOST_AUTO_TEST_CASE(help_explains_every_option)
                "seams-from|charts-from-materials|no-pack|units|resolution|gutter|rotations|threads|"
                "quiet|format|cones|cone-angle-multiple|weld|unique-instances|up|repair|mip-levels|for|"
                "isometric|seam-price|block|texels-per-unit|chart-image|triangles|ply-coordinates|texture|"
-               "placeholder-texture"))
+               "placeholder-texture|quantize"))
     check_printed("--" + std::string(option));
 }
 

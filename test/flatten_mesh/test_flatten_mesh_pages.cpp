@@ -201,6 +201,35 @@ BOOST_AUTO_TEST_CASE(images_of_charts)
 }
 #endif
 
+// Read as programs do that store 12 bits; files of `float` and of decimals have the same coordinates.
+BOOST_AUTO_TEST_CASE(quantized_coordinates)
+{
+  flatten(dinosaur(), "--quantize 12");
+  BOOST_TEST(status == 0, standard_error);
+  BOOST_TEST(packing().get<int>("quantization_bits") == 12);
+  std::set<std::size_t> named;
+  for(const auto& face : packing().get_child("faces_off_grid"))
+    named.insert(face.second.get_value<std::size_t>() - 1);
+  BOOST_TEST((standard_error.find("found no place on the grid of 12 bits") != std::string::npos) ==
+             !named.empty());
+  const auto faces = texture_of_faces(obj());
+  std::size_t wrong = 0;
+  for(std::size_t f = 0; f < faces.size(); ++f) {
+    std::array<std::array<long long, 2>, 3> codes = {};
+    for(std::size_t k = 0; k < 3; ++k)
+      for(std::size_t i = 0; i < 2; ++i) {
+        const long long step = std::llround(4095 * faces[f][k][i]);
+        codes[k][i] = step * 16 + step / 256;
+        wrong += named.count(f) == 0 && std::abs(faces[f][k][i] - double(codes[k][i]) / 65535) > 4e-8;
+      }
+    const auto difference = [&codes](std::size_t k, std::size_t i) { return codes[k][i] - codes[0][i]; };
+    wrong +=
+        named.count(f) == 0 && difference(1, 0) * difference(2, 1) <= difference(1, 1) * difference(2, 0);
+  }
+  BOOST_TEST(wrong == 0u);
+  BOOST_TEST(named.size() < faces.size() / 200);
+}
+
 BOOST_AUTO_TEST_CASE(what_no_page_holds_is_named)
 {
   const std::string input = write("squares.off", squares(2));
@@ -211,14 +240,32 @@ BOOST_AUTO_TEST_CASE(what_no_page_holds_is_named)
 BOOST_AUTO_TEST_CASE(wrong_options)
 {
   const std::string input = write("squares.off", squares(2));
-  for(const std::string options :
-      {"--resolution 64x", "--resolution x64", "--resolution 64x64x64", "--resolution 64x0",
-       "--resolution 64x99999", "--resolution 64,64", "--block 0", "--block 3",
-       "--block 64 --resolution 64x96", "--resolution 1024x64 --gutter 17", "--texels-per-unit=-1",
-       "--texels-per-unit nan", "--texels-per-unit inf", "--no-pack --block 4",
-       "--no-pack --texels-per-unit 10", "--plain --block 4"}) {
+  for(const std::string options : {"--resolution 64x",
+                                   "--resolution x64",
+                                   "--resolution 64x64x64",
+                                   "--resolution 64x0",
+                                   "--resolution 64x99999",
+                                   "--resolution 64,64",
+                                   "--block 0",
+                                   "--block 3",
+                                   "--block 64 --resolution 64x96",
+                                   "--resolution 1024x64 --gutter 17",
+                                   "--texels-per-unit=-1",
+                                   "--texels-per-unit nan",
+                                   "--texels-per-unit inf",
+                                   "--no-pack --block 4",
+                                   "--no-pack --texels-per-unit 10",
+                                   "--plain --block 4",
+                                   "--quantize 7",
+                                   "--quantize 17",
+                                   "--quantize 8 --mip-levels 1",
+                                   "--quantize 12 --texels-per-unit 10",
+                                   "--quantize 12 --units world",
+                                   "--quantize 12 --no-pack",
+                                   "--quantize 12 --plain"}) {
     check_refused(input, options,
-                  {options.find("--gutter") != std::string::npos   ? "--gutter"
+                  {options.find("--quantize") != std::string::npos ? "--quantize"
+                   : options.find("--gutter") != std::string::npos ? "--gutter"
                    : options.find("--block") != std::string::npos  ? "--block"
                    : options.find("--texels") != std::string::npos ? "--texels-per-unit"
                                                                    : "--resolution"});

@@ -228,3 +228,37 @@ def test_baking():
     assert baked.colors[front] == pytest.approx(.2, abs=1e-6)
     assert baked.normals[front] == pytest.approx(np.tile([0, 0, 1], (front.sum(), 1)), abs=1e-6)
     assert abf.bake(vertices, faces, uv, fine, [[0, 1, 2], [0, 2, 3]], resolution=32).colors is None
+
+
+def stored(uv, bits):
+    """Coordinates as programs store them: rounded to so many bits, of which the first are repeated in 16."""
+    i = np.rint(uv * (2**bits - 1)).astype(np.int64)
+    return (i << (16 - bits)) | (i >> (2 * bits - 16))
+
+
+def test_packing_on_a_grid():
+    charts = [meshes.hill(30, seed) for seed in range(5)]
+    packing = abf.pack([(f, v[:, :2]) for v, f in charts], resolution=256, quantization_bits=10)
+    faces_before = 0
+    for (vertices, faces), uv in zip(charts, packing.uv):
+        codes = stored(uv, 10)
+        named = np.asarray(packing.report["faces_off_grid"], int) - faces_before
+        faces_before += len(faces)
+        held = np.ones(len(faces), bool)
+        held[named[(0 <= named) & (named < len(faces))]] = False
+        assert np.abs(uv - codes / 65535)[faces[held]].max() < 4e-8
+        assert (signed_areas(codes.astype(float), faces[held]) > 0).all()
+        assert held.mean() > 0.99
+    with pytest.raises(ValueError, match="12 bits suffice"):
+        abf.pack([(f, v[:, :2]) for v, f in charts], gutter=1, quantization_bits=8)
+
+
+def test_atlas_on_a_grid():
+    vertices, faces = meshes.sphere(seed=4)
+    atlas = abf.atlas(vertices, faces, quantization_bits=12)
+    codes = stored(atlas.uv, 12).reshape(-1, 3, 2)
+    a, b = codes[:, 1] - codes[:, 0], codes[:, 2] - codes[:, 0]
+    named = np.asarray(atlas.report["atlas"]["packing"]["faces_off_grid"], int) - 1
+    assert (np.delete(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0], named) > 0).all() and len(named) < len(faces) / 100
+    with pytest.raises(ValueError, match="quantization_bits"):
+        abf.atlas(vertices, faces, quantization_bits=12, pack_into_square=False)

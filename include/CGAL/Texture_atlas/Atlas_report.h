@@ -51,11 +51,15 @@ struct Packing_report : Report
   /// fit.
   std::size_t number_of_small_charts = 0;
 
-  /// The number of charts that were enlarged to a sixteenth of a texel, or of a block, so that they do not vanish when
-  /// coordinates are rounded.
+  /// The number of charts that were enlarged to a sixteenth of a texel, or of a block, or to four steps of the grid of
+  /// `Packing_options::quantization_bits`, so that they do not vanish when coordinates are rounded.
   std::size_t number_of_enlarged_charts = 0;
 
   std::size_t number_of_attempts = 0; ///< The number of scales that were tried.
+
+  /// The faces with a corner that is not on the grid of `Packing_options::quantization_bits`: positions, from 0, in the
+  /// sequence of faces of the mesh. Rounded to the grid, a face nearby would be turned over or lose its area.
+  std::vector<std::size_t> faces_off_grid;
 };
 
 /// \ingroup PkgTextureAtlasRef
@@ -188,6 +192,9 @@ struct Atlas_report : Report
   std::size_t number_of_mended_polygons = 0;
 
   double seam_length = 0; ///< The length of all seams, each counted once.
+
+  /// See `Packing_report::faces_off_grid`. Faces of several meshes are counted through.
+  std::vector<std::size_t> faces_off_grid;
 
   /// `seam_length`, divided by the square root of the area that has charts.
   double relative_seam_length = 0;

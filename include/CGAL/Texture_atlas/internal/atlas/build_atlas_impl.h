@@ -116,6 +116,8 @@ public:
       round_part(m_options, m_round, part);
       if(!is_kept(part) && !m_parts[i].is_diagonal.empty())
         mended[i] = make_polygons_convex(m_parts[i].is_diagonal, m_options, m_round, part);
+      if(m_options.quantization_bits)
+        quantize_part(m_parts[i].is_diagonal, *m_options.quantization_bits, part);
     });
     m_atlas.report.number_of_mended_polygons = std::accumulate(mended.begin(), mended.end(), std::size_t(0));
     return true;

@@ -86,6 +86,7 @@ public:
       if(!report.has_atlas())
         return;
       measure_seams(report);
+      list_faces_off_grid(report);
       const Stage stage(m_options.visitor, Atlas_visitor::WRITE, report.seconds.write);
       for(Read_mesh& mesh : m_meshes)
         mesh.prepare_to_write();
@@ -255,6 +256,18 @@ private:
       mesh.measure_seams(sides, area);
     report.seam_length = sides / 2 * m_meshes.front().input.surface.scale();
     report.relative_seam_length = sides / 2 / std::sqrt(area);
+  }
+
+  void list_faces_off_grid(Report& report) const
+  {
+    std::size_t first = 0;
+    for(const Read_mesh& mesh : m_meshes) {
+      if(m_options.quantization_bits)
+        mesh.list_faces_off_grid(Quantization_grid(*m_options.quantization_bits), first,
+                                 report.faces_off_grid);
+      first += mesh.number_of_faces();
+    }
+    std::sort(report.faces_off_grid.begin(), report.faces_off_grid.end());
   }
 
   const Chart_options m_options;

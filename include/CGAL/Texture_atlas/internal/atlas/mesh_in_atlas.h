@@ -22,6 +22,7 @@
 #include <CGAL/Texture_atlas/internal/atlas/build_atlas.h>
 #include <CGAL/Texture_atlas/internal/atlas/mesh_components.h>
 #include <CGAL/Texture_atlas/internal/atlas/read_atlas_mesh.h>
+#include <CGAL/Texture_atlas/internal/packing/quantize.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 #include <CGAL/number_utils.h>
@@ -86,6 +87,7 @@ public:
                            [this](halfedge_descriptor h) { return corner_at(h); });
   }
 
+  std::size_t number_of_faces() const { return faces(m_mesh).size(); }
   std::size_t number_of_degenerate_faces() const { return m_without_area.charts().size(); }
 
   // By their first faces, those that were read and those that cannot be flattened
@@ -127,6 +129,20 @@ public:
           if(!report.charts[m_first_chart[i] + static_cast<std::size_t>(pieces++)].is_good)
             report.offending_faces.push_back(
                 input.surface.face_of(input.surface.parts()[i].first_triangle + static_cast<int>(t)));
+    }
+  }
+
+  // Adds the positions of the faces with a corner that is not on a grid, with those of the meshes before.
+  void list_faces_off_grid(const Quantization_grid& grid, std::size_t first,
+                           std::vector<std::size_t>& faces) const
+  {
+    for(std::size_t i = 0; i < m_atlas.size(); ++i) {
+      const Part_atlas& atlas = m_atlas[i];
+      const auto is_off = [&](int c) { return !grid.has(atlas.uv[atlas.chart.vertex[c]]); };
+      for(int t = 0; atlas.succeeded() && t < atlas.chart.number_of_triangles(); ++t)
+        if(is_off(3 * t) || is_off(3 * t + 1) || is_off(3 * t + 2))
+          faces.push_back(first + input.components.rank(
+                                      input.surface.face_of(input.surface.parts()[i].first_triangle + t)));
     }
   }
 

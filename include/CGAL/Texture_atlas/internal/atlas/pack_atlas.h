@@ -24,6 +24,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/chart/flattening.h>
 #include <CGAL/Texture_atlas/internal/packing/chart_shape.h>
 #include <CGAL/Texture_atlas/internal/packing/pack.h>
+#include <CGAL/Texture_atlas/internal/packing/quantize.h>
 #include <CGAL/Texture_atlas/internal/polygons/make_polygons_convex.h>
 #include <CGAL/Texture_atlas/internal/polygons/round_to_floats.h>
 #include <CGAL/Texture_atlas/internal/packing/packing.h>
@@ -34,6 +35,7 @@
 #include <CGAL/Bbox_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -216,7 +218,7 @@ inline Float_grid float_grid(const Atlas_options& options)
 // cannot, the certificate finds them.
 inline void round_part(const Atlas_options& options, Rounding round, Part_atlas& part)
 {
-  if(options.float_coordinates) {
+  if(options.float_coordinates || options.quantization_bits) {
     Float_rounder rounder(part.chart.vertex, float_grid(options), part.uv);
     rounder.keep_gaps(border_edges(part.chart));
     if(options.pack_into_square) {
@@ -242,6 +244,25 @@ inline std::size_t make_polygons_convex(const std::vector<char>& is_diagonal, co
   const std::size_t mended = Polygon_mender(polygons, float_grid(options), part.uv).run();
   round(part.uv);
   return mended;
+}
+
+// Moves the vertices of a part to the grid of coordinates. Polygons that are convex at a corner stay so.
+inline void quantize_part(const std::vector<char>& is_diagonal, int bits, Part_atlas& part)
+{
+  const Chart& chart = part.chart;
+  Chart_quantizer quantizer(chart.vertex, bits, part.uv);
+  const auto is_inside = [&](int c) { return chart.opposite[c] >= 0 && is_diagonal[c]; };
+  for(int c = 0; c < chart.number_of_corners() && !is_diagonal.empty(); ++c) {
+    if(is_inside(c))
+      continue;
+    int next = next_corner(c); // the next side of the polygon
+    while(is_inside(next))
+      next = next_corner(chart.opposite[next]);
+    const std::array<int, 3> corner = {chart.edge_source(c), chart.edge_target(c), chart.edge_target(next)};
+    if(corner[0] != corner[2])
+      quantizer.protect(corner);
+  }
+  quantizer.run();
 }
 
 } // namespace CGAL::Texture_atlas::internal

@@ -135,6 +135,8 @@ inline Json packing_json(const Atlas_report& report, const Packing_options& opti
           {"height", options.number_of_rows()},
           {"block", options.block},
           {"gutter", options.number_of_gutter_texels()},
+          {"quantization_bits", json_optional(options.quantization_bits)},
+          {"faces_off_grid", json_array(report.faces_off_grid, [](const std::size_t f) { return f + 1; })},
           {"pages", report.number_of_pages},
           {"texels_per_unit", report.scale * options.resolution},
           {"covered_share", report.covered_share},

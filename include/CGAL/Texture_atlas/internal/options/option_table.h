@@ -84,6 +84,9 @@ void visit_options(Packing_options& options, const Visit& visit)
         "charts fill");
   visit("number_of_rotations", options.number_of_rotations, Option_range{1, 1024},
         "number of directions in which each large chart is tried");
+  visit("quantization_bits", options.quantization_bits, Option_range{8, 16},
+        "move coordinates to the grid of programs that store them in N bits, such as 12, 14 or 16, so that "
+        "quantization turns no triangle over");
 }
 
 template <class Visit>

@@ -29,6 +29,9 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Atlas_options&
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Soup_options& options);
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Baking_options& options);
 
+// What is wrong with the grid that coordinates are moved to, or nothing
+CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_quantization(const Packing_options& options);
+
 // What is wrong with a gutter that must leave room on its page, or nothing
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_gutter(const Packing_options& options);
 

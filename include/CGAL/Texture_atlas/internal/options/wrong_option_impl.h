@@ -32,6 +32,29 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Seam_options& 
   return wrong.empty() ? idle_seam_option(options, changed_options(options)) : wrong;
 }
 
+// What is wrong with the grid of coordinates, or nothing
+CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_quantization(const Packing_options& options)
+{
+  if(!options.quantization_bits)
+    return "";
+  if(options.texels_per_unit > 0)
+    return "quantization_bits and texels_per_unit exclude each other: the grid is that of one page";
+  const int side = (std::max)(options.resolution, options.number_of_rows()),
+            gutter = (std::max)(1, options.number_of_gutter_texels());
+  const auto suffice = [&](int bits) { return 2. * side <= gutter * ((1 << bits) - 1.); };
+  const int most = 16;
+  int needed = *options.quantization_bits;
+  while(needed <= most && !suffice(needed))
+    ++needed;
+  if(needed == *options.quantization_bits)
+    return "";
+  return "a grid of " + std::to_string(*options.quantization_bits) +
+         " bits (quantization_bits) is too coarse for a gutter of " + std::to_string(gutter) + " among " +
+         std::to_string(side) + " texels; " +
+         (needed <= most ? std::to_string(needed) + " bits suffice"
+                         : "no grid of up to " + std::to_string(most) + " bits suffices");
+}
+
 CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Packing_options& options)
 {
   std::string wrong = option_out_of_range(options);
@@ -39,7 +62,7 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE std::string wrong_option(const Packing_option
     if(wrong.empty() && side % options.block != 0)
       wrong = "the block of " + std::to_string(options.block) + " texels does not divide the " +
               std::to_string(side) + " texels along a side of the page";
-  return wrong;
+  return wrong.empty() ? wrong_quantization(options) : wrong;
 }
 
 // What is wrong with the gutter of a page, or nothing
@@ -66,10 +89,10 @@ inline std::string idle_atlas_option(const Atlas_options& options, const Option_
   if(!wrong.empty())
     return wrong;
   Idle_options idle(changed);
-  idle.check(
-          !options.pack_into_square,
-          {"resolution", "height", "gutter", "block", "texels_per_unit", "number_of_rotations", "seam_price"},
-          "charts that are not packed have no page; set pack_into_square")
+  idle.check(!options.pack_into_square,
+             {"resolution", "height", "gutter", "block", "texels_per_unit", "number_of_rotations",
+              "seam_price", "quantization_bits"},
+             "charts that are not packed have no page; set pack_into_square")
       .check(options.given_charts != Atlas_options::REPLACE, {"seam_price"},
              "charts that are given are not cut in two")
       .check(options.given_charts == Atlas_options::KEEP, {"maximum_number_of_terminals", "area_weight"},

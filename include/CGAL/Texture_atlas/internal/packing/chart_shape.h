@@ -34,9 +34,10 @@ inline constexpr double placement_tolerance = 1. / (1 << 8);
 class Chart_shape
 {
 public:
-  // `scale` is the length of 1 in the outline, in texels.
-  Chart_shape(const Chart_outline& outline, double angle, double scale)
-      : m_outline(&outline), m_cosine(scale * std::cos(angle)), m_sine(scale * std::sin(angle))
+  // `scale` is the length of 1 in the outline, in texels. Borders may move by `slack` texels in both directions later.
+  Chart_shape(const Chart_outline& outline, double angle, double scale, double slack)
+      : m_outline(&outline), m_cosine(scale * std::cos(angle)), m_sine(scale * std::sin(angle)),
+        m_slack(slack)
   {
     Planar_point lower(HUGE_VAL, HUGE_VAL), upper = -lower;
     for(const Planar_point& p : outline.hull) {
@@ -44,8 +45,8 @@ public:
       lower = lower.cwiseMin(q);
       upper = upper.cwiseMax(q);
     }
-    m_width = texels_of(upper.x() - lower.x());
-    m_height = texels_of(upper.y() - lower.y());
+    m_width = texels_of(upper.x() - lower.x() + 2 * slack);
+    m_height = texels_of(upper.y() - lower.y() + 2 * slack);
     m_shift = (Planar_point(m_width, m_height) - lower - upper) / 2;
   }
 
@@ -80,7 +81,7 @@ public:
     const auto cell = [&](const Planar_point& p) -> Planar_point {
       return (turned(p) + m_shift) / side + Planar_point(margin, margin);
     };
-    const double tolerance = placement_tolerance / side, neighbours = double(gutter) / side;
+    const double tolerance = placement_tolerance / side, neighbours = (gutter + m_slack) / side;
     for(const Planar_segment& edge : m_outline->edges) {
       const Planar_point p = cell(edge[0]), q = cell(edge[1]);
       draw_segment(p, q, tolerance, neighbours, mask);
@@ -161,7 +162,7 @@ private:
   }
 
   const Chart_outline* m_outline;
-  double m_cosine, m_sine;
+  double m_cosine, m_sine, m_slack;
   int m_width = 0, m_height = 0; // in texels
   Planar_point m_shift = Planar_point::Zero();
 };

@@ -22,9 +22,6 @@
 
 namespace CGAL::Texture_atlas::internal {
 
-// A chart is not made smaller than that, in texels.
-inline constexpr double least_extent = 1. / 16;
-
 // All directions are tried for charts of at least this share of the area, four for others and along axes.
 inline constexpr double least_turned_share = 0.02;
 
@@ -95,7 +92,7 @@ public:
   {
     const int border = 2 * ((m_options.number_of_gutter_texels() + 1) / 2);
     return std::any_of(m_angles[c].begin(), m_angles[c].end(), [&](double angle) {
-      return Chart_shape(m_outlines[c], angle, scale_of(c, m_scale))
+      return Chart_shape(m_outlines[c], angle, scale_of(c, m_scale), largest_border_move(m_options))
           .fits(m_options.resolution - border, m_options.number_of_rows() - border, cell);
     });
   }
@@ -107,18 +104,22 @@ public:
   double share(int c) const { return m_outlines[c].length * m_outlines[c].length * m_outlines[c].area; }
   bool is_turned(int c) const { return m_is_turned[c]; }
   bool is_small(int c) const { return share(c) * m_pages < largest_small_share; }
-  bool is_enlarged(int c, double scale) const { return m_outlines[c].length * scale < least_extent; }
+  bool is_enlarged(int c, double scale) const { return m_outlines[c].length * scale < least_extent(); }
 
   // Of the outline, where a texel has the length 1. `scale` are the texels of the length 1.
   double scale_of(int c, double scale) const
   {
-    return (std::max)(m_outlines[c].length * scale, least_extent);
+    return (std::max)(m_outlines[c].length * scale, least_extent());
   }
+
+  // A chart is not made smaller than that, in texels. In four steps of a grid, few triangles lose their area.
+  double least_extent() const { return (std::max)(1. / 16, 4 * texels_of_step(m_options)); }
 
   // About the texels that a chart takes with its share of the gutter
   double needed_texels(int c, double scale) const
   {
-    const double s = scale_of(c, scale), wide = m_options.number_of_gutter_texels() + 1;
+    const double s = scale_of(c, scale),
+                 wide = m_options.number_of_gutter_texels() + 1 + 2 * largest_border_move(m_options);
     return m_outlines[c].area * s * s + m_outlines[c].perimeter * s * wide / 2 + wide * wide;
   }
 

@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Texture_atlas/internal/packing/pack.h>
 #include <CGAL/Texture_atlas/internal/packing/packing.h>
+#include <CGAL/Texture_atlas/internal/packing/quantize.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -34,8 +35,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace CGAL::Texture_atlas::internal {
@@ -45,6 +48,7 @@ template <typename TriangleMesh, typename FaceChartMap, typename HalfedgeUVMap, 
 class Chart_packer
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
   typedef typename GetVertexPointMap<TriangleMesh, NamedParameters>::const_type Vertex_point_map;
@@ -105,8 +109,10 @@ private:
   // Charts get numbers from 0 on, in the order of their own numbers.
   bool read_charts()
   {
+    std::size_t position = 0;
     for(const face_descriptor f : faces(m_mesh)) {
       const Chart_number number = get(m_chart_map, f);
+      const std::size_t position_of_face = position++;
       if(number < Chart_number())
         continue;
       const std::array<halfedge_descriptor, 3> h = halfedges_of(f);
@@ -115,6 +121,7 @@ private:
       if(m_faces.size() == static_cast<std::size_t>(largest_number_of_triangles))
         return fail(Diagnosis::TOO_LARGE, "the charts have more triangles than 32-bit numbers allow");
       m_faces.push_back(f);
+      m_positions.push_back(position_of_face);
       m_numbers.push_back(number);
     }
     if(m_faces.empty())
@@ -227,10 +234,12 @@ private:
   {
     std::vector<Point_2> placed;
     placed.reserve(m_corners.size());
-    for(std::size_t c = 0; c < m_corners.size(); ++c) {
-      const Planar_point p = packing.placement[m_chart[c / 3]](m_corners[c]);
+    for(std::size_t c = 0; c < m_corners.size(); ++c)
+      m_corners[c] = packing.placement[m_chart[c / 3]](m_corners[c]);
+    if(m_options.quantization_bits)
+      quantize();
+    for(const Planar_point& p : m_corners)
       placed.push_back(planar_point<Point_2>(Chart::Point_2(p.x(), p.y())));
-    }
     for(std::size_t c = 0; c < m_corners.size(); ++c)
       m_corners[c] = Planar_point(CGAL::to_double(placed[c].x()), CGAL::to_double(placed[c].y()));
     const Packing_check check = certify_packing(m_corners, m_chart, packing.page, m_options);
@@ -239,6 +248,32 @@ private:
               check.status == Packing_check::OUTSIDE ? " is not certified to be in its page"
                                                      : " is not certified to be apart from other charts");
     return placed;
+  }
+
+  // Corners of a chart at one vertex with the same coordinates move together.
+  void quantize()
+  {
+    std::map<std::tuple<int, vertex_descriptor, double, double>, int> numbers;
+    std::vector<int> vertex;
+    std::vector<Chart::Point_2> uv;
+    for(std::size_t t = 0; t < m_faces.size(); ++t)
+      for(const halfedge_descriptor h : halfedges_of(m_faces[t])) {
+        const Planar_point& p = m_corners[vertex.size()];
+        const int next = static_cast<int>(uv.size());
+        vertex.push_back(
+            numbers.try_emplace({m_chart[t], target(h, m_mesh), p.x(), p.y()}, next).first->second);
+        if(vertex.back() == next)
+          uv.emplace_back(p.x(), p.y());
+      }
+    Chart_quantizer(vertex, *m_options.quantization_bits, uv).run();
+    const Quantization_grid grid(*m_options.quantization_bits);
+    for(std::size_t c = 0; c < vertex.size(); ++c) {
+      m_corners[c] = Planar_point(uv[vertex[c]].x(), uv[vertex[c]].y());
+      const std::size_t face = m_positions[c / 3];
+      std::vector<std::size_t>& off = m_report.faces_off_grid;
+      if(!grid.has(uv[vertex[c]]) && (off.empty() || off.back() != face))
+        off.push_back(face);
+    }
   }
 
   void explain_failure(const Packing& packing)
@@ -269,6 +304,7 @@ private:
   Vertex_point_map m_points;
   Report m_report;
   std::vector<face_descriptor> m_faces; // that have a chart
+  std::vector<std::size_t> m_positions; // of these in the sequence of all faces
   std::vector<Chart_number> m_numbers;  // of each chart in the map
   std::vector<int> m_chart;             // of each face
   std::vector<double> m_area;           // the same

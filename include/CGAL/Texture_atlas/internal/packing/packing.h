@@ -16,6 +16,7 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -36,6 +37,23 @@ inline Packing_options in_blocks(const Packing_options& options)
   blocks.texels_per_unit = options.texels_per_unit / options.block;
   blocks.block = 1;
   return blocks;
+}
+
+// Where coordinates are quantized, vertices move at most that many steps of the grid.
+inline constexpr double quantized_move = 3, quantized_border_move = 1;
+
+// The texels between two numbers of the grid of coordinates; 0 if there is none
+inline double texels_of_step(const Packing_options& options)
+{
+  const double side = (std::max)(options.resolution, options.number_of_rows());
+  return options.quantization_bits ? side / ((1 << *options.quantization_bits) - 1) : 0;
+}
+
+// Borders move at most that many texels in both directions. The grid is even up to a 65535th of the page.
+inline double largest_border_move(const Packing_options& options)
+{
+  const double unevenness = (std::max)(options.resolution, options.number_of_rows()) / 65535.;
+  return options.quantization_bits ? quantized_border_move * texels_of_step(options) + unevenness : 0;
 }
 
 // The heights of a page that is a unit square, relative to those where texels are squares

@@ -110,7 +110,7 @@ private:
   {
     auto [first, turns] = shapes.directions.front();
     Chart_shape texels(m_charts.outline(shapes.chart), m_charts.directions(shapes.chart)[first],
-                       m_charts.scale_of(shapes.chart, m_scale));
+                       m_charts.scale_of(shapes.chart, m_scale), largest_border_move(m_charts.options()));
     std::optional<Texel_mask> cells;
     for(const auto& [direction, wanted_turns] : shapes.directions) {
       for(; turns < wanted_turns; ++turns) {

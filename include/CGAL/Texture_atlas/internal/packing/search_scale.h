@@ -40,7 +40,7 @@ public:
     double largest = 0;
     for(int c = 0; c < charts.number_of_charts(); ++c)
       largest = (std::max)(largest, charts.outline(c).length);
-    m_least = least_extent / largest;
+    m_least = charts.least_extent() / largest;
     for(int c = 0; c < charts.number_of_charts(); ++c)
       m_is_allowed.emplace_back(charts.directions(c).size(), true);
   }

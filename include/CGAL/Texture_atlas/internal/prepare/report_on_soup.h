@@ -142,6 +142,32 @@ inline void report_offending(const std::vector<Given_surface>& given, const Mesh
   report.offending_points.assign(points.begin(), points.end());
 }
 
+// Names the polygons with a corner that the grid of coordinates cannot hold. Those of several soups are counted through.
+inline void report_off_grid(const Soup_options& options, const std::vector<Given_surface>& given,
+                            Soup_report& report, Notes& notes)
+{
+  std::set<std::size_t> polygons;
+  std::string first;
+  for(const std::size_t f : report.faces_off_grid) {
+    const Face face(static_cast<Mesh::size_type>(f));
+    const std::size_t surface = surface_of_face(given, face);
+    std::size_t polygon = polygon_of_face(given, face);
+    if(first.empty()) {
+      first = (given.size() > 1 ? given[surface].name + ": " : "") + face_name(polygon);
+    }
+    for(std::size_t i = 0; i < surface; ++i) {
+      polygon += given[i].soup.number_of_polygons();
+    }
+    polygons.insert(polygon);
+  }
+  report.faces_off_grid.assign(polygons.begin(), polygons.end());
+  if(!polygons.empty()) {
+    notes.add(count_text(polygons.size(), "face") + " with a corner that found no place on the grid of " +
+              std::to_string(*options.quantization_bits) + " bits, the first is " + first +
+              ": quantization may turn triangles over there; more bits help");
+  }
+}
+
 // Says what was not reached, and what became of charts that were given.
 inline void tell_of_charts(const Soup_options& options, const Soup_report& report, Notes& notes)
 {
@@ -201,6 +227,7 @@ inline Soup_report report_on_soups(const Soup_options& options, std::vector<Give
     report_offending(given, mesh, of_mesh, report);
   }
   tell_of_charts(options, report, notes);
+  report_off_grid(options, given, report, notes);
   return report;
 }
 

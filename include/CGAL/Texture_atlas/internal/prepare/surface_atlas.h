@@ -207,6 +207,9 @@ inline Report_on_atlas make_atlas_of_component(const Soup_settings& options, Mes
       v = component.part.origins[v].idx();
     }
   }
+  for(std::size_t& f : report.faces_off_grid) {
+    f = component.faces[f].idx();
+  }
   const auto face_of_mesh = [&component](const Face f) { return component.faces[f.idx()]; };
   const auto vertex_of_mesh = [&component](const Vertex v) { return component.part.origins[v.idx()]; };
   const auto translate = [](auto& elements, const auto& element_of_mesh) {
