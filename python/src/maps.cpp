@@ -91,6 +91,7 @@ std::string packing_json(const TA::Packing_report& report)
 {
   return json_text({{"pages", report.number_of_pages},
                     {"page_of_chart", report.page_of_chart},
+                    {"scale_of_chart", report.scale_of_chart},
                     {"covered_share", report.covered_share},
                     {"faces_off_grid", report.faces_off_grid},
                     {"texels_per_unit", report.texels_per_length}});

@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <string>
 #include <utility>
@@ -63,7 +64,7 @@ double sum_of_areas(const std::vector<Planar_point>& corners)
   return sum;
 }
 
-// Charts have the gutter between them, the square, and the same density up to those that are enlarged.
+// Charts have the gutter between them, the square, and the same density up to those that are enlarged or reduced.
 void check_packing(const Planar_charts& charts, const Packing& packing, const Packing_options& options)
 {
   BOOST_REQUIRE(packing.status == Packing::DONE);
@@ -85,7 +86,9 @@ void check_packing(const Planar_charts& charts, const Packing& packing, const Pa
   int denser = 0;
   for(int c = 0; c < charts.number; ++c) {
     const double texels = std::sqrt(area[c] / should[c]) * options.resolution;
-    BOOST_TEST(texels > packing.texels_per_length * (1 - 1e-6));
+    BOOST_TEST(texels > packing.scale[c] * packing.texels_per_length * (1 - 1e-6));
+    if(packing.scale[c] < 1)
+      BOOST_TEST(texels < packing.scale[c] * packing.texels_per_length * (1 + 1e-6));
     denser += texels > packing.texels_per_length * (1 + 1e-6);
   }
   BOOST_TEST(denser == packing.number_of_enlarged);
@@ -304,6 +307,45 @@ BOOST_AUTO_TEST_CASE(needles_far_longer_than_the_square)
   charts.finish_chart(first, random);
   const Packing_options o = options(128, 2);
   check_packing(charts, pack(charts, o), o);
+}
+
+// The others are as large as without them.
+BOOST_AUTO_TEST_CASE(long_needles_do_not_determine_the_scale)
+{
+  std::mt19937 random(14);
+  Planar_charts charts = test_charts::random_charts(20, random);
+  const Packing_options o = options(256, 2);
+  const Packing alone = pack(charts, o);
+  const std::size_t first = charts.chart.size();
+  const double length = 10 * std::sqrt(std::accumulate(charts.area.begin(), charts.area.end(), 0.));
+  charts.add({0, 0}, {length, 0}, {length / 3, 1e-5 * length});
+  charts.finish_chart(first, random);
+  const Packing packing = pack(charts, o);
+  check_packing(charts, packing, o);
+  BOOST_TEST(packing.texels_per_length > 0.97 * alone.texels_per_length);
+  for(int c = 0; c < 20; ++c)
+    BOOST_TEST(packing.scale[c] == 1);
+  BOOST_TEST(packing.scale[20] < 0.1);
+}
+
+// Nor with a given scale
+BOOST_AUTO_TEST_CASE(only_charts_with_hardly_any_area_are_reduced)
+{
+  Planar_charts charts;
+  charts.add_rectangle(0, 0, 10, 0.01);
+  ++charts.number;
+  test_charts::add_disc(charts, 1, 30);
+  ++charts.number;
+  Packing_options o = options(256, 2);
+  const Packing packing = pack(charts, o);
+  check_packing(charts, packing, o);
+  BOOST_TEST(packing.scale[0] == 1);
+  charts.area[0] *= 0.01; // the rectangle is to be a tenth as long
+  charts.area[1] *= 0.01;
+  o.texels_per_unit = 100;
+  const Packing given = pack(charts, o);
+  BOOST_REQUIRE(given.status == Packing::DONE);
+  BOOST_TEST(given.scale[0] == 1);
 }
 
 BOOST_AUTO_TEST_CASE(charts_that_overlap_themselves)

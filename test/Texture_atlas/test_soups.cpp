@@ -422,6 +422,26 @@ BOOST_AUTO_TEST_CASE(charts_that_are_not_packed_lie_in_rows)
       BOOST_TEST((chart == other || !CGAL::do_overlap(box, other_box)));
 }
 
+// All others are as large as without it.
+BOOST_AUTO_TEST_CASE(a_long_needle_is_scaled_down_alone_and_told)
+{
+  Soup_atlas atlas;
+  const Soup_report alone = make_atlas(cube(), atlas);
+  Surface_soup soup = cube();
+  for(const Point_3& p : {Point_3(0, 0, 5), Point_3(9, 0, 5), Point_3(4, 5e-4, 5)})
+    soup.points.push_back(p);
+  soup.add_polygon({8, 9, 10});
+  const Soup_report report = make_atlas(soup, atlas);
+  BOOST_TEST_REQUIRE(bool(report), report.message);
+  const std::string needle = std::to_string(atlas.charts[6]);
+  for(const auto& chart : report.charts)
+    BOOST_TEST((chart.scale < 1) == (&chart == &report.charts[static_cast<std::size_t>(atlas.charts[6])]));
+  BOOST_TEST(report.scale > 0.97 * alone.scale);
+  BOOST_TEST(std::any_of(report.notes.begin(), report.notes.end(), [&needle](const std::string& note) {
+    return note.find("the first is chart " + needle + ":") != std::string::npos;
+  }));
+}
+
 BOOST_AUTO_TEST_CASE(several_soups_share_an_atlas)
 {
   std::vector<Surface_soup> soups = {cube(), shuffled(sphere(8, 6), 3), cube(9)};

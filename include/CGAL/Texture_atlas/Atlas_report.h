@@ -38,6 +38,10 @@ struct Packing_report : Report
   std::vector<int> page_of_chart;
   std::size_t number_of_pages = 0; ///< The number of pages.
 
+  /// The scale of each chart, relative to that of all. It is less than 1 for charts with less than 0.1 % of the area that
+  /// would be longer than a quarter of the page, as needles are: they would make all others smaller.
+  std::vector<double> scale_of_chart;
+
   /// The sum of the areas of all triangles, as a share of all pages. Overlaps within a chart count several times.
   double covered_share = 0;
 
@@ -109,6 +113,7 @@ struct Atlas_report : Report
   {
     std::size_t part = 0;            ///< The number of the part of the surface that contains the chart.
     int page = 0;                    ///< The page, from 0 on; 0 if nothing was packed.
+    double scale = 1;                ///< The scale relative to that of all; see `Packing_report::scale_of_chart`.
     std::size_t number_of_faces = 0; ///< The number of faces.
     Method method = ABF_PLUS_PLUS;   ///< How the map was made.
 

@@ -93,8 +93,10 @@ public:
       fail(Diagnosis::PACKING_FAILED, describe(packing));
       return false;
     }
-    for(int c = 0; c < charts; ++c)
+    for(int c = 0; c < charts; ++c) {
       m_atlas.report.charts[c].page = packing.page[c];
+      m_atlas.report.charts[c].scale = packing.scale[c];
+    }
     m_atlas.report.number_of_pages = static_cast<std::size_t>(packing.number_of_pages);
     m_atlas.report.covered_share = packing.covered_share;
     m_atlas.report.scale =

@@ -110,6 +110,7 @@ inline Json chart_json(const Atlas_report::Chart& chart, const double share)
 {
   return {{"part", chart.part},
           {"page", chart.page},
+          {"scale", chart.scale},
           {"triangles", chart.number_of_faces},
           {"share_of_area", share},
           {"method", to_string(chart.method)},

@@ -25,6 +25,10 @@ namespace CGAL::Texture_atlas::internal {
 // All directions are tried for charts of at least this share of the area, four for others and along axes.
 inline constexpr double least_turned_share = 0.02;
 
+// Charts with less than that share of the area do not determine the scale of all: they are made smaller where they would
+// be longer than that part of the shorter side of a page.
+inline constexpr double least_unreduced_share = 0.001, longest_part_of_page = 0.25;
+
 // Of charts with less than that share, the next one is not tried in rows where the last one had no place, until charts
 // are smaller by `alike`.
 inline constexpr double largest_small_share = 0.002, alike = 0.75;
@@ -104,12 +108,21 @@ public:
   double share(int c) const { return m_outlines[c].length * m_outlines[c].length * m_outlines[c].area; }
   bool is_turned(int c) const { return m_is_turned[c]; }
   bool is_small(int c) const { return share(c) * m_pages < largest_small_share; }
+  bool is_reduced(int c, double scale) const { return m_outlines[c].length * scale > largest_scale_of(c); }
   bool is_enlarged(int c, double scale) const { return m_outlines[c].length * scale < least_extent(); }
 
   // Of the outline, where a texel has the length 1. `scale` are the texels of the length 1.
   double scale_of(int c, double scale) const
   {
-    return (std::max)(m_outlines[c].length * scale, least_extent());
+    return (std::max)((std::min)(m_outlines[c].length * scale, largest_scale_of(c)), least_extent());
+  }
+
+  // Of a chart with hardly any area, unless the scale is given
+  double largest_scale_of(int c) const
+  {
+    return m_scale > 0 || share(c) >= least_unreduced_share
+               ? HUGE_VAL
+               : longest_part_of_page * (std::min)(m_options.resolution, m_options.number_of_rows());
   }
 
   // A chart is not made smaller than that, in texels. In four steps of a grid, few triangles lose their area.

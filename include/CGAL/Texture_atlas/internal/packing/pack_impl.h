@@ -140,6 +140,8 @@ inline void set_placement(const std::vector<Chart_outline>& outlines, const Char
   for(int c = 0; c < charts.number_of_charts(); ++c) {
     packing.placement.push_back(similarity(outlines[c], places[c], charts.options()));
     packing.page.push_back(places[c].page);
+    packing.scale.push_back(
+        charts.is_reduced(c, scale) ? charts.scale_of(c, scale) / (charts.outline(c).length * scale) : 1);
     const double size = charts.scale_of(c, scale) / charts.options().resolution;
     packing.covered_share += outlines[c].area * size * size;
     packing.number_of_turned += charts.is_turned(c);

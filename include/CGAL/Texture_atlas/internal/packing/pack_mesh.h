@@ -220,6 +220,7 @@ private:
       for(const halfedge_descriptor h : halfedges_of(f))
         put(m_uv, h, placed[c++]);
     m_report.page_of_chart = packing.page;
+    m_report.scale_of_chart = packing.scale;
     m_report.number_of_pages = static_cast<std::size_t>(packing.number_of_pages);
     m_report.covered_share = packing.covered_share;
     m_report.texels_per_length = packing.texels_per_length / m_scale / m_weight_scale;

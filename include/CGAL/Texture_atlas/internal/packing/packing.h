@@ -103,6 +103,7 @@ struct Packing
   int chart = -1;                    // the first that is wrong
   std::vector<Similarity> placement; // of each chart
   std::vector<int> page;             // the same
+  std::vector<double> scale;         // the same, relative to that of all: less than 1 if it was reduced alone
   double number_of_pages = 1;        // or about how many there would have to be
 
   Planar_point texels = Planar_point::Zero(); // along the sides of a chart that is too large

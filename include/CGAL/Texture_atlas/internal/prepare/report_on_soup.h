@@ -193,6 +193,13 @@ inline void tell_of_charts(const Soup_options& options, const Soup_report& repor
                          " % of the diagonal of the bounding box away from it, and not at most 1.5 %") +
               std::string(", so the seams are not made symmetric"));
   }
+  const auto is_reduced = [](const Atlas_report::Chart& chart) { return chart.scale < 1; };
+  const auto first = std::find_if(report.charts.begin(), report.charts.end(), is_reduced);
+  if(const auto reduced = std::count_if(first, report.charts.end(), is_reduced); reduced > 0) {
+    notes.add(count_text(static_cast<std::size_t>(reduced), "long chart") +
+              " with hardly any area, the first is chart " + std::to_string(first - report.charts.begin()) +
+              ": scaled down alone, so that all others have more texels");
+  }
   std::size_t missed = 0;
   double worst = 1;
   for(const Atlas_report::Chart& chart : report.charts) {
