@@ -17,6 +17,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -60,6 +61,27 @@ void check_derivatives(const Objective& objective, int t, const std::array<Plana
 }
 
 } // namespace
+
+// From needles to caps, of any size
+BOOST_AUTO_TEST_CASE(planar_angles_are_those_of_the_library)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0, 1);
+  double worst = 0;
+  for(int i = 0; i < 200000; ++i) {
+    const double size = std::exp(200 * unit(random) - 100), height = std::pow(10., -14 * unit(random));
+    const Planar_point a(0, 0), b(size, 0), c(size * (3 * unit(random) - 1), size * height);
+    const std::array<double, 3> alpha = abf::planar_angles({a, b, c});
+    const auto angle = [](const Planar_point& p, const Planar_point& q) {
+      return std::atan2(abf::cross(p, q), p.dot(q));
+    };
+    const std::array<double, 3> expected = {angle(b - a, c - a), angle(c - b, a - b), angle(a - c, b - c)};
+    for(int k = 0; k < 3; ++k)
+      if(alpha[k] < 3) // the largest one is what is left of pi
+        worst = (std::max)(worst, std::abs(alpha[k] / expected[k] - 1));
+  }
+  BOOST_TEST(worst < 2e-15);
+}
 
 BOOST_AUTO_TEST_CASE(energies_have_the_derivatives_that_they_tell)
 {

@@ -70,8 +70,8 @@ inline Hierarchical_options hierarchical_options(const Chart_options& options, b
   Hierarchical_options result;
   static_cast<Flattening_options&>(result) = flattening_options(options);
   result.injective = injective;
-  if(!injective) { // they come close to the energy of the direct method
-    result.angle_sweeps = 20;
+  if(!injective) { // they come close to the energy of the direct method, unless other maps replace them
+    result.angle_sweeps = options.isometric_charts ? 6 : 20;
     result.energy_tolerance = 0.01;
   }
   return result;

