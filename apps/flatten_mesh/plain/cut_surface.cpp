@@ -195,7 +195,7 @@ Flat_sheet flatten_along_seams(const Command_line& command, Mesh& input, Seamed_
     flat.flattening.add_attempt(next.flattening);
   };
   if(record.terminals && flat.flattening.succeeded()) {
-    record.rounds = ABF::add_seams_in_rounds(record.stretch_bound, stretch, improve).all;
+    record.rounds = ABF::add_seams_in_rounds(record.stretch_bound, 0, stretch, improve).all;
   }
   record.disks = flat.sheet.components;
   record.length = length_of_seams(component);

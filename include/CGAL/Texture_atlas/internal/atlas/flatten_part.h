@@ -190,7 +190,11 @@ private:
   void add_seams()
   {
     m_rounds = add_seams_in_rounds(
-                   m_options.stretch_bound, [&] { return m_best.stretch.scale; },
+                   m_options.stretch_bound,
+                   m_surface.number_of_triangles() > largest_direct_chart
+                       ? first_round(m_options.stretch_bound, m_best.stretch.scale)
+                       : 0,
+                   [&] { return m_best.stretch.scale; },
                    [&](Stretch_criterion criterion, std::size_t count) { improve(criterion, count); })
                    .successful;
   }

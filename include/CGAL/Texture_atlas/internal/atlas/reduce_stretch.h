@@ -140,19 +140,29 @@ struct Seam_rounds
   int successful = 0;
 };
 
+// The round to begin with where maps take long: later ones where the stretch is far above the bound
+inline int first_round(double bound, double stretch)
+{
+  const int most = 4;
+  int round = 0;
+  while(round < most && stretch - 1 > 2 * (1 << round) * (bound - 1))
+    ++round;
+  return round;
+}
+
 // Calls `improve(criterion, count)`, which adds at most that many terminals and takes the new map if it stretches less,
 // until `stretch()` meets the bound. The number of terminals doubles with each round, so that only two rounds in a row
 // that gain little tell that more will not help.
 template <typename Stretch, typename Improve>
-Seam_rounds add_seams_in_rounds(double bound, const Stretch& stretch, const Improve& improve)
+Seam_rounds add_seams_in_rounds(double bound, int first, const Stretch& stretch, const Improve& improve)
 {
   const int max_rounds = 5;
   const double least_gain = 0.02;
   Seam_rounds rounds;
   int weak_rounds = 0;
-  while(misses_stretch_bound(stretch(), bound) && weak_rounds < 2 && rounds.all < max_rounds) {
+  while(misses_stretch_bound(stretch(), bound) && weak_rounds < 2 && first + rounds.all < max_rounds) {
     const double before = stretch();
-    const std::size_t count = std::size_t(3) << rounds.all++;
+    const std::size_t count = std::size_t(3) << (first + rounds.all++);
     for(Stretch_criterion criterion : {Stretch_criterion::LOG_SCALE, Stretch_criterion::AREA})
       if(stretch() > (1 - least_gain) * before)
         improve(criterion, count);
