@@ -111,9 +111,9 @@ struct Atlas_report : Report
   /// A chart of the atlas.
   struct Chart
   {
-    std::size_t part = 0;            ///< The number of the part of the surface that contains the chart.
-    int page = 0;                    ///< The page, from 0 on; 0 if nothing was packed.
-    double scale = 1;                ///< The scale relative to that of all; see `Packing_report::scale_of_chart`.
+    std::size_t part = 0; ///< The number of the part of the surface that contains the chart.
+    int page = 0;         ///< The page, from 0 on; 0 if nothing was packed.
+    double scale = 1;     ///< The scale relative to that of all; see `Packing_report::scale_of_chart`.
     std::size_t number_of_faces = 0; ///< The number of faces.
     Method method = ABF_PLUS_PLUS;   ///< How the map was made.
 
