@@ -503,14 +503,19 @@ inline std::vector<Chart_sums> chart_sums(const Atlas_run& run, const std::vecto
   return sums;
 }
 
-// All charts have the same scale, apart from those that would be smaller than a sixteenth of a texel.
+// All charts have the same scale, apart from those that would be smaller than a sixteenth of a texel, and from those
+// with hardly any area that are reduced.
 inline void check_scale(const Atlas_run& run, const std::vector<Chart_sums>& sums, const Wishes& wishes)
 {
-  double covered = 0;
+  double covered = 0, weighted = 0;
+  for(const Chart_sums& sum : sums)
+    weighted += sum.weighted;
   const auto tolerance = boost::test_tools::tolerance(1e-6);
   for(const Chart_sums& sum : sums) {
     covered += sum.plane;
-    const double wished = run.report.scale * run.report.scale * sum.weighted;
+    const double scale = run.report.charts[static_cast<std::size_t>(&sum - sums.data())].scale;
+    BOOST_TEST((scale == 1 || (wishes.packs && scale < 1 && sum.weighted < 0.001 * weighted)));
+    const double wished = run.report.scale * run.report.scale * scale * scale * sum.weighted;
     const double side = std::sqrt(wished) * wishes.resolution;
     if(!wishes.packs || side > 0.0626)
       BOOST_TEST(sum.plane == wished, tolerance);

@@ -30,15 +30,18 @@ turns, scales and moves charts so that they fill the unit square, as in a textur
 by a similarity, without reflection.
 
 The square is a *page* of `Packing_options::resolution`\f$^2\f$ *texels*. All charts get the same number of texels per
-area in space, times their weights, and this number is as large as the search finds. At least `Packing_options::gutter`
-texels are free between the texels of two charts, in a row or in a column, and half as many, rounded up, at the border
-of the square. Charts are therefore also apart where the texture is repeated. This is certified for the coordinates in
-the map, rounded to its number type: all triangles are drawn, enlarged by a margin for rounding errors.
+area in space, times their weights, and this number is as large as the search finds. Only long charts with hardly any
+area get fewer (`Packing_report::scale_of_chart`). At least `Packing_options::gutter` texels are free between the texels
+of two charts, in a row or in a column, and half as many, rounded up, at the border of the square. Charts are therefore
+also apart where the texture is repeated. This is certified for the coordinates in the map, rounded to its number type:
+all triangles are drawn, enlarged by a margin for rounding errors.
 
 With `Packing_options::texels_per_unit`, there are as many pages as the charts take, and coordinates on page \f$k\f$ are
 shifted by \f$(k \bmod 10, \lfloor k/10 \rfloor)\f$, as in UDIM. With `Packing_options::height`, pages are rectangles
 of texels, and each chart changes by a similarity in texels: a page stays a unit square (Section \ref
 ABF_packing_pages).
+
+With `Packing_options::quantization_bits`, vertices then move to a grid (Section \ref ABF_packing_grid).
 
 Section \ref ABF_packing_method explains how places are found. Above a resolution of 1024, charts are placed only at
 every second, third, ... texel, so that the time hardly grows.
