@@ -328,7 +328,7 @@ BOOST_AUTO_TEST_CASE(long_needles_do_not_determine_the_scale)
   BOOST_TEST(packing.scale[20] < 0.1);
 }
 
-// Nor with a given scale
+// Nor where it is a texel wide, or with a given scale
 BOOST_AUTO_TEST_CASE(only_charts_with_hardly_any_area_are_reduced)
 {
   Planar_charts charts;
@@ -342,6 +342,9 @@ BOOST_AUTO_TEST_CASE(only_charts_with_hardly_any_area_are_reduced)
   BOOST_TEST(packing.scale[0] == 1);
   charts.area[0] *= 0.01; // the rectangle is to be a tenth as long
   charts.area[1] *= 0.01;
+  check_packing(charts, pack(charts, o), o);
+  BOOST_TEST(pack(charts, o).scale[0] < 1);
+  BOOST_TEST(pack(charts, options(4096, 2)).scale[0] == 1);
   o.texels_per_unit = 100;
   const Packing given = pack(charts, o);
   BOOST_REQUIRE(given.status == Packing::DONE);

@@ -39,7 +39,8 @@ struct Packing_report : Report
   std::size_t number_of_pages = 0; ///< The number of pages.
 
   /// The scale of each chart, relative to that of all. It is less than 1 for charts with less than 0.1 % of the area that
-  /// would be longer than a quarter of the page, as needles are: they would make all others smaller.
+  /// would be less than a texel wide, and longer than 2 % of the page. With their gutters, they would make all others
+  /// smaller.
   std::vector<double> scale_of_chart;
 
   /// The sum of the areas of all triangles, as a share of all pages. Overlaps within a chart count several times.

@@ -25,9 +25,9 @@ namespace CGAL::Texture_atlas::internal {
 // All directions are tried for charts of at least this share of the area, four for others and along axes.
 inline constexpr double least_turned_share = 0.02;
 
-// Charts with less than that share of the area do not determine the scale of all: they are made smaller where they would
-// be longer than that part of the shorter side of a page.
-inline constexpr double least_unreduced_share = 0.001, longest_part_of_page = 0.25;
+// Charts with less than that share of the area, and less than a texel wide, do not determine the scale of all: they are
+// made smaller where they would be longer than that part of the shorter side of a page.
+inline constexpr double least_unreduced_share = 0.001, longest_part_of_page = 0.02;
 
 // Of charts with less than that share, the next one is not tried in rows where the last one had no place, until charts
 // are smaller by `alike`.
@@ -117,10 +117,12 @@ public:
     return (std::max)((std::min)(m_outlines[c].length * scale, largest_scale_of(c)), least_extent());
   }
 
-  // Of a chart with hardly any area, unless the scale is given
+  // Of a chart that is nearly a line, unless the scale is given
   double largest_scale_of(int c) const
   {
-    return m_scale > 0 || share(c) >= least_unreduced_share
+    const Chart_outline& outline = m_outlines[c];
+    const double usual_scale = 0.8 * side_of_page(), mean_width = usual_scale * outline.length * outline.area;
+    return m_scale > 0 || share(c) >= least_unreduced_share || mean_width >= 1
                ? HUGE_VAL
                : longest_part_of_page * (std::min)(m_options.resolution, m_options.number_of_rows());
   }
