@@ -324,7 +324,7 @@ BOOST_AUTO_TEST_CASE(long_needles_do_not_determine_the_scale)
   check_packing(charts, packing, o);
   BOOST_TEST(packing.texels_per_length > 0.97 * alone.texels_per_length);
   for(int c = 0; c < 20; ++c)
-    BOOST_TEST(packing.scale[c] == 1);
+    BOOST_TEST((packing.scale[c] < 1) == (alone.scale[c] < 1)); // some are less than a texel wide
   BOOST_TEST(packing.scale[20] < 0.1);
 }
 
