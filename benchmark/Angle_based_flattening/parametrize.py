@@ -17,20 +17,11 @@ import angle_based_flattening as abf  # noqa: E402
 import numpy as np  # noqa: E402
 
 import side_by_side  # noqa: E402
+from evaluator import least_connected  # noqa: E402
 from isosurfaces import isosurface  # noqa: E402
 from side_by_side import row  # noqa: E402
 
 MODELS = ("cow", "homer", "camel", "armadillo", "bunny00", "refined_elephant")
-
-
-def least_connected(count, groups):
-    """The least element that each of the elements is connected with by groups, which are rows"""
-    least, before = np.arange(count), None
-    while before is None or (least != before).any():
-        before = least.copy()
-        np.minimum.at(least, groups, least[groups].min(axis=1)[:, None])
-        least = least[least]
-    return least
 
 
 def measured(vertices, vmapping, indices, uvs):
