@@ -133,9 +133,10 @@ def inverse_stretches(points, corners, area):
 def evaluate(vertices, faces, corners, page=1.0):
     """Numbers of an atlas: corners has three points in the plane for each face, NaN or all the same where there are
     none, and the page has this area in the same unit. Without a page, each chart is measured alone, with its area in
-    space. Density and w05 are those of texels on the surface, 1 for an isometric map that fills the page: the harmonic
+    space, and charts share no vertices; what is not mapped is left out. Density and w05 are those of texels on the surface, 1 for an isometric map that fills the page: the harmonic
     mean, and what 95 % of the surface have at least in the worst direction of each face."""
-    faces, corners = merged(vertices, faces), np.nan_to_num(np.asarray(corners, float))
+    faces = merged(vertices, faces) if page else faces
+    corners = np.nan_to_num(np.asarray(corners, float))
     chart, seams = charts_and_seams(faces, corners)
     corners = turned_charts(corners, chart)
     points, area = vertices[faces], plane_areas(corners)
@@ -150,12 +151,14 @@ def evaluate(vertices, faces, corners, page=1.0):
         [inside[overlapping_pairs(corners[inside], area[inside])] for inside in
          np.split(np.argsort(chart, kind="stable"), np.flatnonzero(np.diff(np.sort(chart))) + 1)])
     within = chart[pairs[:, 0]] == chart[pairs[:, 1]]
-    total, size = surface.sum(), page or surface[mapped].sum()
+    total = (surface if page else surface[mapped]).sum()
+    size = page or total
     largest, smallest = inverse_stretches(points[mapped], corners[mapped], abs(area[mapped]))
     worst = np.zeros(len(faces))
     worst[mapped] = total / size / np.maximum(largest, 1e-300)
-    order = np.argsort(worst[surface > 0], kind="stable")
-    shares = np.cumsum(surface[surface > 0][order])
+    counted = (surface > 0) & (mapped | (page is not None))
+    order = np.argsort(worst[counted], kind="stable")
+    shares = np.cumsum(surface[counted][order])
     weights = surface[mapped]
     with np.errstate(divide="ignore", invalid="ignore"):
         squares = (weights * (largest + smallest)).sum() / weights.sum()
@@ -164,5 +167,5 @@ def evaluate(vertices, faces, corners, page=1.0):
             "seam": np.linalg.norm(vertices[seams[:, 0]] - vertices[seams[:, 1]], axis=1).sum() / math.sqrt(total),
             "flipped": int((area < 0).sum()), "within": int(within.sum()), "between": int((~within).sum()),
             "density": 2 * total / (squares * size),
-            "w05": worst[surface > 0][order][min(np.searchsorted(shares, .05 * shares[-1]), len(shares) - 1)],
+            "w05": worst[counted][order][min(np.searchsorted(shares, .05 * shares[-1]), len(shares) - 1)],
             "dirichlet": 2 * math.sqrt(squares * inverse), "covered": abs(area).sum() / size if page else math.nan}
