@@ -7,6 +7,7 @@ import json
 import math
 import os
 import resource
+import signal
 import sys
 import time
 
@@ -34,7 +35,7 @@ def main():
             os.kill(child, 9)
     code, seconds = os.waitstatus_to_exitcode(status), used.ru_utime + used.ru_stime
     if code < 0 and not why:
-        why = f"did not end in {limit:g} s" if seconds > .99 * limit else f"crashed by signal {-code}"
+        why = f"did not end in {limit:g} s" if -code == signal.SIGXCPU else f"crashed by signal {-code}"
     with open(file, "w", encoding="ascii") as report:
         json.dump({"failure": why, "seconds": seconds, "megabytes": used.ru_maxrss / 1024}, report)
 

@@ -24,8 +24,8 @@ def merged(vertices, faces):
 
 
 def charts_and_seams(faces, corners):
-    """The chart of each face, and the edges on seams. Faces meet in pairs in each edge, by their order; a pair is in one
-    chart if its faces have the same orientation and the same coordinates along the edge."""
+    """The chart of each face, and the edges on seams. Faces meet in pairs in each edge, by their order. A pair is in
+    one chart if its faces have the same orientation and the same coordinates along the edge."""
     count = len(faces)
     ends = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2)
     coordinates = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2, 2)
@@ -132,9 +132,10 @@ def inverse_stretches(points, corners, area):
 
 def evaluate(vertices, faces, corners, page=1.0):
     """Numbers of an atlas: corners has three points in the plane for each face, NaN or all the same where there are
-    none, and the page has this area in the same unit. Without a page, each chart is measured alone, with its area in
-    space, and charts share no vertices; what is not mapped is left out. Density and w05 are those of texels on the surface, 1 for an isometric map that fills the page: the harmonic
-    mean, and what 95 % of the surface have at least in the worst direction of each face."""
+    none, and the page has this area in the same unit. Density and w05 are those of texels on the surface, 1 for an
+    isometric map that fills the page: the harmonic mean, and what 95 % of the surface have at least, each face in its
+    worst direction. Without a page, each chart is measured alone, with its area in space. Charts then share no
+    vertices, and faces without map are left out."""
     faces = merged(vertices, faces) if page else faces
     corners = np.nan_to_num(np.asarray(corners, float))
     chart, seams = charts_and_seams(faces, corners)

@@ -54,7 +54,8 @@ int main(int, char* argv[])
       unsigned a, b, c;
       if(std::scanf("%u %u %u", &a, &b, &c) != 3)
         return 2;
-      valid &= mesh.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c)) != Mesh::null_face();
+      valid &= mesh.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c)) !=
+               Mesh::null_face();
     }
     const auto uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
     const std::clock_t begin = std::clock();
