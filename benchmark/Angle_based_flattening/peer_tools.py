@@ -47,6 +47,7 @@ def of_open3d(vertices, faces):
 def on_circle(igl, vertices, faces):
     """A harmonic map, or that with equal weights if triangles of it are flipped"""
     from scipy import sparse
+    from scipy.sparse import linalg
     border = igl.boundary_loop(faces)
     points = np.asfortranarray(vertices)
     circle = np.ascontiguousarray(igl.map_vertices_to_circle(points, border.astype(np.int32)))
@@ -55,12 +56,11 @@ def on_circle(igl, vertices, faces):
     areas = (q - p)[:, 0] * (r - p)[:, 1] - (q - p)[:, 1] * (r - p)[:, 0]
     inner = np.setdiff1d(np.arange(len(vertices)), border)
     if len(inner) and not (areas > 0).all():
-        ends = np.concatenate([faces, faces[:, ::-1]]).ravel(), np.roll(np.concatenate([faces, faces[:, ::-1]]), -1, 1)
-        ones = sparse.csr_matrix((np.ones(faces.size * 2), (ends[0], ends[1].ravel())), [len(vertices)] * 2)
-        ones.data[:] = 1
-        laplacian = (sparse.diags(np.asarray(ones.sum(axis=1)).ravel()) - ones).tocsr()
+        edges = sparse.csr_matrix((np.ones(faces.size), (faces.ravel(), np.roll(faces, -1, 1).ravel())))
+        edges = (edges + edges.T > 0).astype(float)
+        laplacian = (sparse.diags(np.asarray(edges.sum(axis=1)).ravel()) - edges).tocsr()
         uv[border] = circle
-        uv[inner] = sparse.linalg.spsolve(laplacian[inner][:, inner].tocsc(), -laplacian[inner][:, border] @ circle)
+        uv[inner] = linalg.spsolve(laplacian[inner][:, inner].tocsc(), -laplacian[inner][:, border] @ circle)
     return uv
 
 
@@ -89,7 +89,7 @@ def slim(igl, vertices, faces):
 def of_libigl(method, vertices, faces, sizes):
     """Each chart is a number of faces, with vertices of its own. Charts that cannot be mapped stay without map."""
     import igl
-    from scipy.sparse import linalg  # noqa: F401
+    from scipy.sparse import linalg  # noqa: F401, whose import is not timed
     begin, corners = time.process_time(), np.zeros((len(faces), 3, 2))
     for end, size in zip(np.cumsum(sizes), sizes):
         used, local = np.unique(faces[end - size:end], return_inverse=True)

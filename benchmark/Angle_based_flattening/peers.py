@@ -22,11 +22,12 @@ HERE = Path(__file__).resolve().parent
 sys.path.append(str(HERE.parents[1] / "test/python"))
 import program  # noqa: E402
 
-PACKAGES = {"numpy": "numpy", "scipy": "scipy", "xatlas": "xatlas==0.0.11", "uvunwrap": "uvunwrap==0.3.0",
-            "geotex": "geotex==0.1.3", "open3d": "open3d-cpu==0.20.0", "igl": "libigl==2.6.3"}
+PACKAGES = {"numpy": "numpy==2.4.6", "scipy": "scipy==1.17.1", "xatlas": "xatlas==0.0.11",
+            "uvunwrap": "uvunwrap==0.3.0", "geotex": "geotex==0.1.3", "open3d": "open3d-cpu==0.20.0",
+            "igl": "libigl==2.6.3"}
 ATLASES = {"ours": "flatten_mesh", "xatlas": "xatlas 0.0.11", "uvunwrap": "uvunwrap 0.3.0", "geotex": "geotex 0.1.3",
            "open3d": "Open3D 0.20.0, UVAtlas"}
-MAPS = {"ours": "flatten_mesh", "lscm": "libigl 2.6.3, LSCM", "arap": "libigl 2.6.3, ARAP",
+MAPS = {"ours": "flatten_mesh, with these seams", "lscm": "libigl 2.6.3, LSCM", "arap": "libigl 2.6.3, ARAP",
         "slim": "libigl 2.6.3, SLIM", "cgal-lscm": "CGAL, LSCM", "cgal-arap": "CGAL, ARAP"}
 FAULTS = [("flipped", "flipped", ",.0f"), ("no area", "unmapped", ",.0f"), ("overlaps", "within", ",.0f")]
 QUALITY = [("E", "density", ".3f"), ("w05", "w05", ".3f"), ("symmetric Dirichlet", "dirichlet", ".4g")]
@@ -175,7 +176,7 @@ def main():
     atlases, maps = [], []
     for file in options.meshes:
         mesh = options.folder / f"{file.stem}.npz"
-        subprocess.run([options.python, HERE / "peer_tools.py", "read", file, mesh], check=True)
+        subprocess.run([options.python, HERE / "peer_tools.py", "read", file, mesh], check=True, stdout=sys.stderr)
         program.write_obj(mesh.with_suffix(".obj"), *surface(mesh))
         for rows, more in zip((atlases, maps), rows_of(options, mesh)):
             rows += more
