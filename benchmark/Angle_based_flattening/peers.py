@@ -109,25 +109,24 @@ def write_charts(vertices, faces, corners, file):
     rows = np.column_stack([np.repeat(chart, 3), faces.reshape(-1), corners.reshape(-1, 2)])
     points, place = np.unique(rows, axis=0, return_inverse=True)
     sizes = np.unique(chart, return_counts=True)[1]
-    np.savez(file, vertices=vertices[points[:, 1].astype(int)], sizes=sizes,
-             faces=place.reshape(-1, 3)[np.argsort(chart, kind="stable")])
+    np.savez(file, vertices=vertices[points[:, 1].astype(int)],
+             faces=place.reshape(-1, 3)[np.argsort(chart, kind="stable")], sizes=sizes)
     return len(sizes)
 
 
 def measured(what, columns, run, *arguments):
-    """The cells of a row, and the atlas"""
-    print(*what, sep=": ", file=sys.stderr, flush=True)
+    """The cells of a row, and the atlas. The row is also told at once, so that nothing is lost if this is stopped."""
+    atlas = None
     try:
         atlas, page, seconds, megabytes = run(*arguments)
         numbers = evaluate(*atlas, page if columns is OF_ATLASES else None)
+        cells = [format(numbers[name], form) for _, name, form in columns]
+        row = [*what, f"{seconds:.2f}", f"{megabytes:,.0f}", *cells]
+        row.append("yes" if all(map(np.array_equal, atlas, run(*arguments)[0])) else "NO")
     except Failure as failure:
-        return [*what, str(failure)], None
-    try:
-        same = "yes" if all(map(np.array_equal, atlas, run(*arguments)[0])) else "NO"
-    except Failure as failure:
-        same = str(failure)
-    cells = [format(numbers[name], form) for _, name, form in columns]
-    return [*what, f"{seconds:.2f}", f"{megabytes:,.0f}", *cells, same], atlas
+        row = [*(row if atlas else what), str(failure)]
+    print(*row, sep=" | ", file=sys.stderr, flush=True)
+    return row, atlas
 
 
 def rows_of(options, mesh):
@@ -141,7 +140,8 @@ def rows_of(options, mesh):
     name += f"; {write_charts(*ours, charts)} charts"
     maps = []
     for tool, title in MAPS.items():
-        run = (of_program, options, mesh.with_name(f"{mesh.stem}-atlas.obj"), "--seams-from", "uv") if tool == "ours" \
+        run = (of_program, options, mesh.with_name(f"{mesh.stem}-atlas.obj"), "--seams-from", "uv",
+               "--stretch-bound", "inf") if tool == "ours" \
             else (of_cgal, options, tool[5:], charts) if tool[:5] == "cgal-" else (of_library, options, tool, charts)
         maps.append(measured((name, title), OF_MAPS, *run)[0])
     return atlases, maps
