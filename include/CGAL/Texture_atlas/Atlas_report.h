@@ -38,9 +38,9 @@ struct Packing_report : Report
   std::vector<int> page_of_chart;
   std::size_t number_of_pages = 0; ///< The number of pages.
 
-  /// The scale of each chart, relative to that of all. It is less than 1 for charts with less than 0.1 % of the area that
-  /// would be less than a texel wide, and longer than 2 % of the page. With their gutters, they would make all others
-  /// smaller.
+  /// The scale of each chart, relative to that of all. It is less than 1 for charts with less than 0.1 % of the area
+  /// that would be less than a texel (or block) wide, and longer than 2 % of the page. With their gutters, they would
+  /// make all others smaller.
   std::vector<double> scale_of_chart;
 
   /// The sum of the areas of all triangles, as a share of all pages. Overlaps within a chart count several times.
@@ -62,8 +62,8 @@ struct Packing_report : Report
 
   std::size_t number_of_attempts = 0; ///< The number of scales that were tried.
 
-  /// The faces with a corner that is not on the grid of `Packing_options::quantization_bits`: positions, from 0, in the
-  /// sequence of faces of the mesh. Rounded to the grid, a face nearby would be turned over or lose its area.
+  /// The faces with a corner that found no place on the grid of `Packing_options::quantization_bits`, and keeps its
+  /// coordinates: positions, from 0, in the sequence of faces of the mesh.
   std::vector<std::size_t> faces_off_grid;
 };
 
@@ -199,9 +199,6 @@ struct Atlas_report : Report
 
   double seam_length = 0; ///< The length of all seams, each counted once.
 
-  /// See `Packing_report::faces_off_grid`. Faces of several meshes are counted through.
-  std::vector<std::size_t> faces_off_grid;
-
   /// `seam_length`, divided by the square root of the area that has charts.
   double relative_seam_length = 0;
 
@@ -211,6 +208,9 @@ struct Atlas_report : Report
   /// Distortion of all charts together, each scaled to its area on the surface.
   /// `Flattening_measures::border_is_simple` says whether all charts are injective.
   Flattening_measures measures;
+
+  /// See `Packing_report::faces_off_grid`. Faces of several meshes are counted through.
+  std::vector<std::size_t> faces_off_grid;
 
   std::size_t number_of_pages = 0; ///< The number of pages; 0 if nothing was packed.
   double covered_share = 0;        ///< See `Packing_report::covered_share`; 0 if nothing was packed.

@@ -260,11 +260,12 @@ private:
 
   void list_faces_off_grid(Report& report) const
   {
+    if(!m_options.quantization_bits)
+      return;
+    const Quantization_grid grid(*m_options.quantization_bits);
     std::size_t first = 0;
     for(const Read_mesh& mesh : m_meshes) {
-      if(m_options.quantization_bits)
-        mesh.list_faces_off_grid(Quantization_grid(*m_options.quantization_bits), first,
-                                 report.faces_off_grid);
+      mesh.list_faces_off_grid(grid, first, report.faces_off_grid);
       first += mesh.number_of_faces();
     }
     std::sort(report.faces_off_grid.begin(), report.faces_off_grid.end());

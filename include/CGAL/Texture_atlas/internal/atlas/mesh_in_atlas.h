@@ -22,7 +22,7 @@
 #include <CGAL/Texture_atlas/internal/atlas/build_atlas.h>
 #include <CGAL/Texture_atlas/internal/atlas/mesh_components.h>
 #include <CGAL/Texture_atlas/internal/atlas/read_atlas_mesh.h>
-#include <CGAL/Texture_atlas/internal/packing/quantize.h>
+#include <CGAL/Texture_atlas/internal/packing/packing.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 #include <CGAL/number_utils.h>

@@ -44,6 +44,10 @@ CGAL_ANGLE_BASED_FLATTENING_INLINE Packing_check certify_packing(const std::vect
                                                                  const std::vector<int>& page_of_chart,
                                                                  const Packing_options& options);
 
+// Moves the vertices of packed charts to the grid of so many bits. `vertex` holds the vertex of each corner.
+CGAL_ANGLE_BASED_FLATTENING_INLINE void quantize(const std::vector<int>& vertex, int bits,
+                                                 std::vector<Chart::Point_2>& uv);
+
 } // namespace CGAL::Texture_atlas::internal
 
 #ifndef CGAL_ANGLE_BASED_FLATTENING_COMPILED

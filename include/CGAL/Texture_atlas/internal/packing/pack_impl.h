@@ -22,6 +22,7 @@
 #include <CGAL/Texture_atlas/internal/packing/fill_pages.h>
 #include <CGAL/Texture_atlas/internal/packing/pack.h>
 #include <CGAL/Texture_atlas/internal/packing/place_charts.h>
+#include <CGAL/Texture_atlas/internal/packing/quantize.h>
 #include <CGAL/Texture_atlas/internal/packing/read_outlines.h>
 #include <CGAL/Texture_atlas/internal/packing/scaled_charts.h>
 #include <CGAL/Texture_atlas/internal/packing/search_scale.h>
@@ -217,6 +218,12 @@ charts_too_large(const std::vector<Planar_point>& corners, const std::vector<int
   const Packing_options blocks = in_blocks(options);
   const Charts_to_pack charts(outlines, blocks, blocks.texels_per_unit * roots.first * roots.second);
   return charts.number_of_pages() > most_pages ? std::vector<int>() : charts_too_large(charts);
+}
+
+CGAL_ANGLE_BASED_FLATTENING_INLINE void quantize(const std::vector<int>& vertex, int bits,
+                                                 std::vector<Chart::Point_2>& uv)
+{
+  Chart_quantizer(vertex, bits, uv).run();
 }
 
 } // namespace CGAL::Texture_atlas::internal

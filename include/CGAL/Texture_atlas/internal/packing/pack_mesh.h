@@ -21,7 +21,6 @@
 #include <CGAL/Surface_mesh_parameterization/internal/angle_based_flattening/multiresolution/planar_star.h>
 #include <CGAL/Texture_atlas/internal/packing/pack.h>
 #include <CGAL/Texture_atlas/internal/packing/packing.h>
-#include <CGAL/Texture_atlas/internal/packing/quantize.h>
 #include <CGAL/Texture_atlas/internal/parameterization_names.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -109,10 +108,8 @@ private:
   // Charts get numbers from 0 on, in the order of their own numbers.
   bool read_charts()
   {
-    std::size_t position = 0;
     for(const face_descriptor f : faces(m_mesh)) {
       const Chart_number number = get(m_chart_map, f);
-      const std::size_t position_of_face = position++;
       if(number < Chart_number())
         continue;
       const std::array<halfedge_descriptor, 3> h = halfedges_of(f);
@@ -121,7 +118,6 @@ private:
       if(m_faces.size() == static_cast<std::size_t>(largest_number_of_triangles))
         return fail(Diagnosis::TOO_LARGE, "the charts have more triangles than 32-bit numbers allow");
       m_faces.push_back(f);
-      m_positions.push_back(position_of_face);
       m_numbers.push_back(number);
     }
     if(m_faces.empty())
@@ -266,14 +262,18 @@ private:
         if(vertex.back() == next)
           uv.emplace_back(p.x(), p.y());
       }
-    Chart_quantizer(vertex, *m_options.quantization_bits, uv).run();
-    const Quantization_grid grid(*m_options.quantization_bits);
-    for(std::size_t c = 0; c < vertex.size(); ++c) {
+    internal::quantize(vertex, *m_options.quantization_bits, uv);
+    for(std::size_t c = 0; c < vertex.size(); ++c)
       m_corners[c] = Planar_point(uv[vertex[c]].x(), uv[vertex[c]].y());
-      const std::size_t face = m_positions[c / 3];
-      std::vector<std::size_t>& off = m_report.faces_off_grid;
-      if(!grid.has(uv[vertex[c]]) && (off.empty() || off.back() != face))
-        off.push_back(face);
+    const Quantization_grid grid(*m_options.quantization_bits);
+    std::size_t position = 0, t = 0; // of all faces, and of those that have a chart
+    for(const face_descriptor f : faces(m_mesh)) {
+      if(t < m_faces.size() && m_faces[t] == f) {
+        const auto corner = m_corners.begin() + static_cast<std::ptrdiff_t>(3 * t++);
+        if(!std::all_of(corner, corner + 3, [&grid](const Planar_point& p) { return grid.has(p); }))
+          m_report.faces_off_grid.push_back(position);
+      }
+      ++position;
     }
   }
 
@@ -305,7 +305,6 @@ private:
   Vertex_point_map m_points;
   Report m_report;
   std::vector<face_descriptor> m_faces; // that have a chart
-  std::vector<std::size_t> m_positions; // of these in the sequence of all faces
   std::vector<Chart_number> m_numbers;  // of each chart in the map
   std::vector<int> m_chart;             // of each face
   std::vector<double> m_area;           // the same

@@ -56,6 +56,36 @@ inline double largest_border_move(const Packing_options& options)
   return options.quantization_bits ? quantized_border_move * texels_of_step(options) + unevenness : 0;
 }
 
+// The grid of the glTF extension KHR_mesh_quantization, from 0 to 1. A number of fewer than 16 bits is stored as one of
+// 16 bits that repeats its first bits at the end, and stands for this divided by 65535.
+class Quantization_grid
+{
+public:
+  explicit Quantization_grid(int bits) : m_bits(bits) {}
+
+  int last() const { return (1 << m_bits) - 1; }
+  int nearest(double x) const { return static_cast<int>(std::rint(std::clamp(x, 0., 1.) * last())); }
+
+  // As it is stored
+  int code(int i) const { return i << (16 - m_bits) | i >> (2 * m_bits - 16); }
+
+  // The nearest number of type `float` for which 1 - x is one, too
+  double coordinate(int i) const
+  {
+    const double unit = 1. / (1 << 24);
+    return std::rint(code(i) / 65535. / unit) * unit;
+  }
+
+  template <typename Point>
+  bool has(const Point& p) const
+  {
+    return coordinate(nearest(p.x())) == p.x() && coordinate(nearest(p.y())) == p.y();
+  }
+
+private:
+  int m_bits;
+};
+
 // The heights of a page that is a unit square, relative to those where texels are squares
 inline double aspect_ratio(const Packing_options& options)
 {

@@ -4,7 +4,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Moves the vertices of packed charts to the grid of programs that store coordinates as integers of 8 to 16 bits, so
-// that no triangle is turned over or loses its area there. `atlas/pack_atlas.h` and `pack_mesh.h` call it.
+// that no triangle is turned over or loses its area there. `atlas/pack_atlas.h` calls it, and `pack_impl.h` for
+// `pack_mesh.h`.
 
 #ifndef CGAL_TEXTURE_ATLAS_INTERNAL_PACKING_QUANTIZE_H
 #define CGAL_TEXTURE_ATLAS_INTERNAL_PACKING_QUANTIZE_H
@@ -33,36 +34,6 @@
 
 namespace CGAL::Texture_atlas::internal {
 
-// The grid of the glTF extension KHR_mesh_quantization, from 0 to 1. A number of fewer than 16 bits is stored as one of
-// 16 bits that repeats its first bits at the end, and stands for this divided by 65535.
-class Quantization_grid
-{
-public:
-  explicit Quantization_grid(int bits) : m_bits(bits) {}
-
-  int last() const { return (1 << m_bits) - 1; }
-  int nearest(double x) const { return static_cast<int>(std::rint(std::clamp(x, 0., 1.) * last())); }
-
-  // As it is stored
-  int code(int i) const { return i << (16 - m_bits) | i >> (2 * m_bits - 16); }
-
-  // The nearest number of type `float` for which 1 - x is one, too
-  double coordinate(int i) const
-  {
-    const double unit = 1. / (1 << 24);
-    return std::rint(code(i) / 65535. / unit) * unit;
-  }
-
-  template <typename Point>
-  bool has(const Point& p) const
-  {
-    return coordinate(nearest(p.x())) == p.x() && coordinate(nearest(p.y())) == p.y();
-  }
-
-private:
-  int m_bits;
-};
-
 // Vertices of triangles that find no place on the grid keep their coordinates. So do those of borders that would cross.
 class Chart_quantizer
 {
@@ -71,8 +42,8 @@ class Chart_quantizer
   static constexpr int most_rounds = 3;
 
 public:
-  // `vertex` holds the vertex of each corner. Triangles that are negatively oriented stay so, and those without area are
-  // left alone.
+  // `vertex` holds the vertex of each corner. Triangles that are negatively oriented stay so, and those without area
+  // are left alone.
   Chart_quantizer(const std::vector<int>& vertex, int bits, std::vector<Chart::Point_2>& uv)
       : m_grid(bits), m_uv(uv), m_start(exact_points(uv)), m_points(m_start), m_is_off(uv.size(), false),
         m_is_border(uv.size(), false)
@@ -250,11 +221,12 @@ private:
 
   int first_within(double x, double reach) const
   {
-    return std::max(0, static_cast<int>(std::ceil(x - reach)));
+    return (std::max)(0, static_cast<int>(std::ceil(x - reach)));
   }
+
   int last_within(double x, double reach) const
   {
-    return std::min(m_grid.last(), static_cast<int>(std::floor(x + reach)));
+    return (std::min)(m_grid.last(), static_cast<int>(std::floor(x + reach)));
   }
 
   void set_cell(int v, const Cell& cell)

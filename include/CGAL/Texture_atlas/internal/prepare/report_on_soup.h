@@ -142,7 +142,8 @@ inline void report_offending(const std::vector<Given_surface>& given, const Mesh
   report.offending_points.assign(points.begin(), points.end());
 }
 
-// Names the polygons with a corner that the grid of coordinates cannot hold. Those of several soups are counted through.
+// Names the polygons with a corner that found no place on the grid of coordinates. Those of several soups are counted
+// through.
 inline void report_off_grid(const Soup_options& options, const std::vector<Given_surface>& given,
                             Soup_report& report, Notes& notes)
 {
