@@ -93,7 +93,7 @@ inline void check_quantization(const Values& values, const Atlas_command& atlas)
   if(atlas.is_in_world_units()) {
     throw Usage_error("--quantize goes without --units world: the grid is that of the unit square");
   }
-  if(is_given(values, "texels-per-unit")) {
+  if(atlas.texels_per_unit > 0) {
     throw Usage_error("--quantize and --texels-per-unit exclude each other: the grid is that of one page");
   }
   if(const std::string wrong = abf::wrong_quantization(atlas); !wrong.empty()) {

@@ -201,8 +201,9 @@ class Packing:
 
     Attributes:
         uv: for each chart, (k, 2) float64, the new coordinates of its vertices.
-        report: pages, the page and the relative scale of each chart, the share that charts cover, texels per unit, and the
-            faces with a corner that found no place on the grid of `quantization_bits`, counted from 0 through all charts.
+        report: pages, the page and the relative scale of each chart, the share that charts cover, texels per unit, and
+            the faces with a corner that found no place on the grid of `quantization_bits`, counted from 0 through all
+            charts.
     """
 
     uv: list[np.ndarray]

@@ -59,9 +59,10 @@ struct Packing_options
 
   int number_of_rotations = 32; ///< Number of directions that are tried for large charts, from 1 to 1024.
 
-  /// If given, coordinates are moved to a grid of so many bits, from 8 to 16, as programs store them that quantize files:
-  /// no triangle is turned over there, none loses its area, and charts stay apart. It needs one page, and a gutter that is
-  /// at least two steps of the grid wide. Section \ref ABF_packing_grid says which grid this is.
+  /// If given, coordinates are moved to a grid of so many bits, from 8 to 16, as programs store them that quantize
+  /// files. No triangle is turned over there, none loses its area, and charts stay apart, except at
+  /// `Packing_report::faces_off_grid`. It needs one page, and a gutter that is at least two steps of the grid wide.
+  /// Section \ref ABF_packing_grid says which grid this is.
   std::optional<int> quantization_bits;
 
   /// The number of texels along the vertical sides of a page: `height`, or its default.

@@ -40,9 +40,8 @@ bool is_in_upper_half(const Point& p, const Point& origin)
   return p.y() == origin.y() ? p.x() > origin.x() : p.y() > origin.y();
 }
 
-// The angle of a vector with positive coordinates, `std::atan2(sine, cosine)` up to 2^-51 of it. It is an angle whose
-// tangent is a multiple of 1/8 plus a remainder, of which six terms of the series are enough. This is twice as fast, and
-// the same on all processors.
+// The angle of a vector with positive coordinates: `std::atan2(sine, cosine)` up to 2^-50 of it, in half the time. It
+// is an angle whose tangent is a multiple of 1/8 plus a remainder, of which six terms of the series are enough.
 inline double acute_angle(double sine, double cosine)
 {
   constexpr double known[] = {0,
