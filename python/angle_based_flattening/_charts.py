@@ -68,9 +68,9 @@ def corner_coordinates(uv: ArrayLike, vertices: ArrayLike, faces) -> np.ndarray:
     return uv[indices]
 
 
-def _rows_of_vertices(given, what: str, columns: int) -> list:
+def _values_of_vertices(given, what: str, columns: int) -> tuple[np.ndarray, np.ndarray] | None:
     if given is None:
-        return []
+        return None
     vertices, values = given
     vertices = _arrays.integers(vertices, f"the vertices of {what}", None)
     values = np.asarray(values, dtype=np.float64)
@@ -81,7 +81,7 @@ def _rows_of_vertices(given, what: str, columns: int) -> list:
         raise ValueError(f"the values of {what} must be finite")
     if vertices.size > 0 and vertices.min() < 0:
         raise ValueError(f"the vertices of {what} must be at least 0")
-    return list(zip(vertices.tolist(), values.tolist()))
+    return vertices, values
 
 
 class Flattener:
@@ -121,10 +121,9 @@ class Flattener:
                 raise ValueError(f"corners are {corners.tolist()}, and must be four vertices")
         ratio = 0.0 if aspect_ratio is None else _options.number("aspect_ratio", aspect_ratio, 0, open_below=True)
         given, _ = given_mesh(np.zeros((0, 3)), faces)
-        self._flattener = _core.Flattener(
-            given, method == "hierarchical", options,
-            _core.Prescriptions([] if corners is None else corners.tolist(), ratio,
-                                _rows_of_vertices(angles, "angles", 1), _rows_of_vertices(pins, "pins", 2)))
+        self._flattener = _core.Flattener(given, method == "hierarchical", options, corners, ratio,
+                                          _values_of_vertices(angles, "angles", 1),
+                                          _values_of_vertices(pins, "pins", 2))
 
     def solve(self, vertices: ArrayLike, *, timeout: float | None = None,
               progress: _options.Progress | None = None) -> Flattening:
@@ -192,7 +191,7 @@ def certify(vertices: ArrayLike, faces, uv: ArrayLike) -> Certificate:
     uv = corner_coordinates(uv, vertices, faces)
     given, _ = given_mesh(vertices, faces, uv=uv)
     is_injective, flipped, overlapping = _core.certify(given, _options.watch())
-    return Certificate(is_injective, np.asarray(flipped, np.int64), np.asarray(overlapping, np.int64))
+    return Certificate(is_injective, flipped, overlapping)
 
 
 @dataclass(frozen=True)
@@ -240,5 +239,5 @@ def pack(charts: Sequence[tuple], **options: Any) -> Packing:
     if not all_faces:
         raise ValueError("charts is empty")
     given, _ = given_mesh(np.concatenate(all_vertices), np.concatenate(all_faces), uv=np.concatenate(all_uv))
-    uv, text = _core.pack(given, first_faces, options, _options.watch())
+    uv, text = _core.pack(given, np.array(first_faces, np.int64), options, _options.watch())
     return Packing([uv[a:b] for a, b in zip(first_vertices, first_vertices[1:])], json.loads(text))

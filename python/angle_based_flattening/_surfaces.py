@@ -76,12 +76,11 @@ def cones(vertices: ArrayLike, faces, number: int, *, angle_multiple: float = 0,
         timeout, progress: as of `atlas()`. They end the map, and not the choice of cones.
     """
     given, _ = given_mesh(vertices, faces)
-    found, stretch, uv, edges = _core.cones(
+    stretch, (vertices, angles, *of_map) = _core.cones(
         given, _options.integer("number", number, 0, 1000),
         _options.number("angle_multiple", angle_multiple, 0, 2 * math.pi), _options.switch("flatten", flatten),
         _options.integer("threads", threads, 0, 1024), _options.watch(progress, timeout))
-    return Cones(np.array([v for v, _ in found], np.int64), np.array([angle for _, angle in found], np.float64),
-                 stretch, uv if flatten else None, edges if flatten else None)
+    return Cones(vertices, angles, stretch, *(of_map if flatten else (None, None)))
 
 
 @dataclass(frozen=True)
@@ -117,13 +116,12 @@ def bake(vertices: ArrayLike, faces, uv: ArrayLike, fine_vertices: ArrayLike, fi
     """
     given, _ = given_mesh(vertices, faces, uv=corner_coordinates(uv, vertices, faces))
     fine, _ = given_mesh(fine_vertices, fine_faces, mesh="the fine mesh")
-    colors = []
+    colors = None
     if fine_colors is not None:
-        array = np.asarray(fine_colors)
-        if array.dtype != np.uint8 or array.shape != (len(fine_vertices), 3):
-            raise ValueError(f"fine_colors is an array of {array.dtype} with the shape {array.shape}, and must be one "
-                             f"of uint8 with the shape ({len(fine_vertices)}, 3)")
-        colors = array.tolist()
+        colors = np.asarray(fine_colors)
+        if colors.dtype != np.uint8 or colors.shape != (len(fine_vertices), 3):
+            raise ValueError(f"fine_colors is an array of {colors.dtype} with the shape {colors.shape}, and must be "
+                             f"one of uint8 with the shape ({len(fine_vertices)}, 3)")
     normals, displacements, found_colors, texels, text = _core.bake(given, fine, colors, options,
                                                                     _options.watch())
     return Baked(normals, displacements, found_colors, texels, json.loads(text))

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The code of the manual prints what is written there, and the examples run."""
 
-import ast
 import contextlib
 import importlib.util
 import inspect
@@ -88,13 +87,14 @@ def test_functions_of_the_page():
         assert inspect.getdoc(getattr(abf, name)), name
 
 
-def test_stub():
-    """_core.pyi has what the compiled part has."""
+def test_interface():
+    """_core.py calls the functions of interface.h with as many arguments as these have."""
     from angle_based_flattening import _core
-    tree = ast.parse((ROOT / "python/angle_based_flattening/_core.pyi").read_text())
-    told = {node.name for node in tree.body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
-    told |= {node.target.id for node in tree.body if isinstance(node, ast.AnnAssign)} - {"__version__"}
-    assert told == {name for name in dir(_core) if not name.startswith("_")}
+    text = (ROOT / "python/src/interface.h").read_text()
+    functions = re.findall(r"ABF_PYTHON_API [^;]*?abf_(\w+)\(([^;]*)\);", text)
+    assert len(functions) > 15
+    for name, parameters in functions:
+        assert len(getattr(_core, f"_{name}").argtypes) == len([p for p in parameters.split(",") if p.strip()]), name
 
 
 def run_example(folder, name, *words):
