@@ -1,0 +1,62 @@
+"""Scenes of pygltflib, by way of files: the program knows all of glTF that an atlas has to keep."""
+
+from __future__ import annotations
+
+import copy
+import json
+import tempfile
+import warnings
+from pathlib import Path
+from typing import Any
+
+from . import _core
+from ._errors import MeshError
+
+_WORDS = {"purpose": "for", "number_of_rotations": "rotations", "quantization_bits": "quantize",
+          "separate_overlaps": "separate", "isometric_charts": "isometric", "equal_seam_lengths": "equal-seams"}
+_SAME = ("seams", "weld", "repair", "timeout", "stretch_bound", "resolution", "gutter", "block", "texels_per_unit",
+         "area_weight", "seam_price", "threads")
+
+
+def arguments(options: dict[str, Any]) -> list[str]:
+    """Options of `atlas()` as arguments of the program."""
+    options = {name: value for name, value in options.items() if value is not None}
+    words: list[str] = []
+    if "height" in options:
+        options["resolution"] = f"{options.get('resolution', 1024)}x{options.pop('height')}"
+    charts = options.pop("given_charts", "replace")
+    if charts not in ("replace", "keep", "repair"):
+        raise ValueError(f"given_charts is {charts!r}, and must be one of 'replace', 'keep', 'repair'")
+    words += {"replace": [], "keep": ["--repack"], "repair": ["--repack", "--repair-charts"]}[charts]
+    words += ["--symmetric"] if options.pop("symmetric", False) else []
+    words += [] if options.pop("pack_into_square", True) else ["--no-pack"]
+    for name, value in options.items():
+        if name not in _WORDS and name not in _SAME:
+            raise ValueError(f"{name} is given, and does not go with glTF: the program makes the atlas")
+        text = ("on" if value else "off") if isinstance(value, bool) else str(value)
+        words.append(f"--{_WORDS.get(name, name.replace('_', '-'))}={text}")
+    return words
+
+
+def unwrap(scene: Any, options: dict[str, Any]) -> Any:
+    """A new ``pygltflib.GLTF2`` with an atlas of all its meshes."""
+    import pygltflib
+
+    words = arguments(options)
+    scene = copy.deepcopy(scene)  # converting buffers changes it
+    scene.convert_buffers(pygltflib.BufferFormat.BINARYBLOB)
+    scene.convert_images(pygltflib.ImageFormat.DATAURI)  # those in files beside it are not beside the copy
+    with tempfile.TemporaryDirectory() as name:
+        given, made, told = (Path(name) / file for file in ("in.glb", "out.glb", "out.json"))
+        scene.save_binary(given)
+        status = _core.run_program([str(given), "--output", str(made), "--json", str(told), "--quiet", *words])
+        report = json.loads(told.read_text()) if told.exists() else {"status": "FAILED", "message": "no report"}
+        if not made.exists():
+            if not told.exists():  # which happens before anything is read
+                raise ValueError(f"the program refuses {' '.join(words)}, with status {status}")
+            if report["status"] == "TIMED_OUT":
+                raise TimeoutError("the computation took longer than the timeout")
+            raise MeshError(report["status"], report["message"])
+        if report.get("skipped"):
+            warnings.warn(f"{len(report['skipped'])} parts have no chart: {report['skipped']}", stacklevel=3)
+        return pygltflib.GLTF2().load(made)
