@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import base64
 import copy
 import json
+import mimetypes
 import tempfile
 import warnings
 from pathlib import Path
 from typing import Any
+from urllib.parse import unquote
 
 from . import _core
 from ._errors import MeshError
@@ -38,22 +41,32 @@ def arguments(options: dict[str, Any]) -> list[str]:
     return words
 
 
+def _uri(data: bytes, kind: str) -> str:
+    return f"data:{kind};base64,{base64.b64encode(data).decode()}"
+
+
 def unwrap(scene: Any, options: dict[str, Any]) -> Any:
-    """A new ``pygltflib.GLTF2`` with an atlas of all its meshes."""
+    """A new ``pygltflib.GLTF2`` with an atlas of all its meshes. It contains what was in files beside the given one."""
     import pygltflib
 
     words = arguments(options)
-    scene = copy.deepcopy(scene)  # converting buffers changes it
-    scene.convert_buffers(pygltflib.BufferFormat.BINARYBLOB)
-    scene.convert_images(pygltflib.ImageFormat.DATAURI)  # those in files beside it are not beside the copy
+    scene = copy.deepcopy(scene)
+    folder = Path(getattr(scene, "_path", None) or ".")
+    for buffer in scene.buffers:
+        data = scene.get_data_from_buffer_uri(buffer.uri)  # of the file itself, if there is no URI
+        buffer.uri = _uri(bytes(data)[:buffer.byteLength], "application/octet-stream")
+    for image in scene.images:
+        if image.uri and not image.uri.startswith("data:"):  # which is not beside the copy
+            kind = image.mimeType or mimetypes.guess_type(image.uri)[0] or "image/png"
+            image.uri = _uri((folder / unquote(image.uri)).read_bytes(), kind)
     with tempfile.TemporaryDirectory() as name:
-        given, made, told = (Path(name) / file for file in ("in.glb", "out.glb", "out.json"))
-        scene.save_binary(given)
+        given, made, told = (Path(name) / file for file in ("in.gltf", "out.glb", "out.json"))
+        given.write_text(scene.to_json(), encoding="utf-8")
         status = _core.run_program([str(given), "--output", str(made), "--json", str(told), "--quiet", *words])
-        report = json.loads(told.read_text()) if told.exists() else {"status": "FAILED", "message": "no report"}
+        report = json.loads(told.read_text()) if told.exists() else {"status": "FAILED", "message": f"exit status {status}"}
         if not made.exists():
-            if not told.exists():  # which happens before anything is read
-                raise ValueError(f"the program refuses {' '.join(words)}, with status {status}")
+            if report["status"] == "WRONG_USAGE":
+                raise ValueError(report["message"])
             if report["status"] == "TIMED_OUT":
                 raise TimeoutError("the computation took longer than the timeout")
             raise MeshError(report["status"], report["message"])
