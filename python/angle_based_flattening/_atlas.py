@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _arrays, _core, _options
+from . import _arrays, _core, _drawing, _options
 
 
 @dataclass(frozen=True)
@@ -44,6 +44,24 @@ class Atlas:
         """
         vmapping, indices, uvs = _core.unshared(self._indices, self.uv)
         return vmapping, indices.reshape(self._indices.shape), uvs
+
+    def show(self, axes: Any = None) -> Any:
+        """Draws the page with matplotlib, each chart in a colour. Scripts then call ``matplotlib.pyplot.show()``.
+
+        Args:
+            axes: of matplotlib, where it is drawn; by default, those of a new figure.
+
+        Returns:
+            The axes.
+
+        Raises:
+            ImportError: matplotlib is not installed.
+        """
+        return _drawing.show(self, axes)
+
+    def _repr_html_(self) -> str:
+        """What notebooks show: the page, and a line on it."""
+        return _drawing.as_html(self)
 
 
 def _given_mesh(vertices, faces, marked_seams, uv, ignored_faces, number: int | None):
@@ -103,7 +121,7 @@ def atlas(vertices: ArrayLike | Sequence[ArrayLike], faces: ArrayLike | Sequence
           purpose: str = "texture", seams: str = "auto", marked_seams: ArrayLike | None = None,
           uv: ArrayLike | None = None, ignored_faces: ArrayLike | None = None, symmetric: bool = False,
           weld: bool = True, repair: bool = True, timeout: float | None = None,
-          progress: _options.Progress | None = None, **options: Any) -> Atlas | list[Atlas]:
+          progress: _options.Progress | bool | None = None, **options: Any) -> Atlas | list[Atlas]:
     """Cuts any surface open, flattens it, and packs the charts, as ``flatten_mesh`` does.
 
     Args:
@@ -122,7 +140,7 @@ def atlas(vertices: ArrayLike | Sequence[ArrayLike], faces: ArrayLike | Sequence
         repair: whether faces that do not form a manifold are separated, turned or left out.
         timeout: seconds after which a `TimeoutError` is raised.
         progress: is called with the name of a stage and its share, from 0 to 1, twenty times a second, in the thread
-            of the caller. If it returns ``False``, `Cancelled` is raised.
+            of the caller. If it returns ``False``, `Cancelled` is raised. ``True`` shows a bar, by the package tqdm.
         OPTIONS
 
     Returns:
@@ -154,8 +172,8 @@ def atlas(vertices: ArrayLike | Sequence[ArrayLike], faces: ArrayLike | Sequence
         raise ValueError('given_charts is "keep", and uv is not given')
     given = [_given_mesh(*each, i if is_shared else None)
              for i, each in enumerate(zip(meshes, faces, marked_seams, uv, ignored_faces))]
-    results, text = _core.atlas([each[0] for each in given], is_shared, choices, options,
-                                _options.watch(progress, timeout))
+    with _options.watching(progress, timeout) as watch:
+        results, text = _core.atlas([each[0] for each in given], is_shared, choices, options, watch)
     report = json.loads(text)
     atlases = [Atlas(*result, report, indices, offsets)
                for result, (_, offsets, indices) in zip(results, given)]

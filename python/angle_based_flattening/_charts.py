@@ -127,7 +127,7 @@ class Flattener:
                                 _rows_of_vertices(angles, "angles", 1), _rows_of_vertices(pins, "pins", 2)))
 
     def solve(self, vertices: ArrayLike, *, timeout: float | None = None,
-              progress: _options.Progress | None = None) -> Flattening:
+              progress: _options.Progress | bool | None = None) -> Flattening:
         """Flattens the mesh with these vertices.
 
         Args:
@@ -137,13 +137,15 @@ class Flattener:
         Raises:
             MeshError: the mesh is not a disk, or no valid map was found.
         """
-        uv, text = self._flattener.solve(_arrays.numbers(vertices, "vertices", 3), _options.watch(progress, timeout))
+        vertices = _arrays.numbers(vertices, "vertices", 3)
+        with _options.watching(progress, timeout) as watch:
+            uv, text = self._flattener.solve(vertices, watch)
         return Flattening(uv, json.loads(text))
 
 
 @_options.takes("direct", "hierarchical")
-def flatten(vertices: ArrayLike, faces, *, timeout: float | None = None, progress: _options.Progress | None = None,
-            **options) -> Flattening:
+def flatten(vertices: ArrayLike, faces, *, timeout: float | None = None,
+            progress: _options.Progress | bool | None = None, **options) -> Flattening:
     """Flattens a disk with ABF++. If the surface has several components, the one with the longest border is mapped.
 
     Args:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import inspect
 import math
 import re
 import textwrap
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 import numpy as np
@@ -94,8 +95,39 @@ def takes(*tables: str) -> Callable:
     return decorate
 
 
+class _Bar:
+    """A bar of tqdm for each stage, as the function `progress`."""
+
+    def __init__(self) -> None:
+        try:
+            from tqdm.auto import tqdm
+        except ImportError as error:
+            raise ImportError("progress=True needs tqdm: pip install tqdm; or give a function") from error
+        self._bar: Any = tqdm(total=100, leave=False, bar_format="{desc} {percentage:3.0f}%|{bar}| {elapsed}")
+
+    def __call__(self, stage: str, share: float) -> None:
+        self._bar.set_description_str(stage.lower(), refresh=False)
+        self._bar.n = 100 * share  # which falls where a stage begins
+        self._bar.refresh()
+
+    def close(self) -> None:
+        """Removes it."""
+        self._bar.close()
+
+
 def watch(progress: Progress | None = None, timeout: float | None = None) -> _core.Watch:
     """How long a computation may take, and who follows it."""
     if progress is not None and not callable(progress):
-        raise TypeError("progress must be a function of the name of a stage and its share")
+        raise TypeError("progress must be a function of the name of a stage and its share, or True for a bar")
     return _core.Watch(progress, math.inf if timeout is None else number("timeout", timeout, 0, open_below=True))
+
+
+@contextlib.contextmanager
+def watching(progress: Progress | bool | None, timeout: float | None) -> Iterator[_core.Watch]:
+    """As `watch()`, with a bar if `progress` is True, which is there as long as the computation."""
+    bar = _Bar() if progress is True else None
+    try:
+        yield watch(bar if bar else None if isinstance(progress, bool) else progress, timeout)
+    finally:
+        if bar:
+            bar.close()

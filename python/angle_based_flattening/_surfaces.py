@@ -64,7 +64,7 @@ class Cones:
 
 
 def cones(vertices: ArrayLike, faces, number: int, *, angle_multiple: float = 0, flatten: bool = False,
-          threads: int = 0, timeout: float | None = None, progress: _options.Progress | None = None) -> Cones:
+          threads: int = 0, timeout: float | None = None, progress: _options.Progress | bool | None = None) -> Cones:
     """Chooses cones of a connected surface, and flattens it with seams through them on demand.
 
     Args:
@@ -76,10 +76,11 @@ def cones(vertices: ArrayLike, faces, number: int, *, angle_multiple: float = 0,
         timeout, progress: as of `atlas()`. They end the map, and not the choice of cones.
     """
     given, _ = given_mesh(vertices, faces)
-    found, stretch, uv, edges = _core.cones(
-        given, _options.integer("number", number, 0, 1000),
-        _options.number("angle_multiple", angle_multiple, 0, 2 * math.pi), _options.switch("flatten", flatten),
-        _options.integer("threads", threads, 0, 1024), _options.watch(progress, timeout))
+    number = _options.integer("number", number, 0, 1000)
+    angle_multiple = _options.number("angle_multiple", angle_multiple, 0, 2 * math.pi)
+    flatten, threads = _options.switch("flatten", flatten), _options.integer("threads", threads, 0, 1024)
+    with _options.watching(progress, timeout) as watch:
+        found, stretch, uv, edges = _core.cones(given, number, angle_multiple, flatten, threads, watch)
     return Cones(np.array([v for v, _ in found], np.int64), np.array([angle for _, angle in found], np.float64),
                  stretch, uv if flatten else None, edges if flatten else None)
 
