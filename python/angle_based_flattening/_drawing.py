@@ -48,7 +48,7 @@ def summary(atlas: Atlas) -> str:
 
 def _size(atlas: Atlas) -> NDArray[np.float64]:
     """How far coordinates go: whole pages, if charts are packed."""
-    most = np.nanmax(atlas.uv, axis=0, initial=0)
+    most: NDArray[np.float64] = np.nanmax(atlas.uv, axis=0, initial=0)
     return np.maximum(np.ceil(most - 1e-9), 1) if atlas.report["atlas"].get("packing") else most
 
 

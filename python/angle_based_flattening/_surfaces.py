@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _arrays, _core, _options
 from ._charts import corner_coordinates, given_mesh
@@ -23,12 +23,12 @@ class Seams:
         report: the number of disks, the length of the seams, the predicted stretch.
     """
 
-    edges: np.ndarray
+    edges: NDArray[np.int64]
     report: dict[str, Any]
 
 
 @_options.takes("seams")
-def seams(vertices: ArrayLike, faces, *, along: str = "length", marked_seams: ArrayLike | None = None,
+def seams(vertices: ArrayLike, faces: ArrayLike, *, along: str = "length", marked_seams: ArrayLike | None = None,
           **options: Any) -> Seams:
     """Chooses seams that cut a surface to disks with little stretch, as the C++ function ``select_seams()`` does.
 
@@ -56,14 +56,14 @@ class Cones:
         seams: (k, 2) int64, the edges of seams through the cones; None without a map.
     """
 
-    vertices: np.ndarray
-    angles: np.ndarray
+    vertices: NDArray[np.int64]
+    angles: NDArray[np.float64]
     predicted_stretch: float
-    uv: np.ndarray | None
-    seams: np.ndarray | None
+    uv: NDArray[np.float64] | None
+    seams: NDArray[np.int64] | None
 
 
-def cones(vertices: ArrayLike, faces, number: int, *, angle_multiple: float = 0, flatten: bool = False,
+def cones(vertices: ArrayLike, faces: ArrayLike, number: int, *, angle_multiple: float = 0, flatten: bool = False,
           threads: int = 0, timeout: float | None = None, progress: _options.Progress | bool | None = None) -> Cones:
     """Chooses cones of a connected surface, and flattens it with seams through them on demand.
 
@@ -97,15 +97,15 @@ class Baked:
         report: how many texels there are of each kind, and distances.
     """
 
-    normals: np.ndarray
-    displacements: np.ndarray
-    colors: np.ndarray | None
-    texels: np.ndarray
+    normals: NDArray[np.float32]
+    displacements: NDArray[np.float32]
+    colors: NDArray[np.float32] | None
+    texels: NDArray[np.uint8]
     report: dict[str, Any]
 
 
 @_options.takes("baking")
-def bake(vertices: ArrayLike, faces, uv: ArrayLike, fine_vertices: ArrayLike, fine_faces, *,
+def bake(vertices: ArrayLike, faces: ArrayLike, uv: ArrayLike, fine_vertices: ArrayLike, fine_faces: ArrayLike, *,
          fine_colors: ArrayLike | None = None, **options: Any) -> Baked:
     """Bakes the normals, the distance and the colours of a fine surface into textures of a simple one.
 
@@ -121,9 +121,10 @@ def bake(vertices: ArrayLike, faces, uv: ArrayLike, fine_vertices: ArrayLike, fi
     colors = []
     if fine_colors is not None:
         array = np.asarray(fine_colors)
-        if array.dtype != np.uint8 or array.shape != (len(fine_vertices), 3):
+        n = len(np.asarray(fine_vertices))
+        if array.dtype != np.uint8 or array.shape != (n, 3):
             raise ValueError(f"fine_colors is an array of {array.dtype} with the shape {array.shape}, and must be one "
-                             f"of uint8 with the shape ({len(fine_vertices)}, 3)")
+                             f"of uint8 with the shape ({n}, 3)")
         colors = array.tolist()
     normals, displacements, found_colors, texels, text = _core.bake(given, fine, colors, options,
                                                                     _options.watch())

@@ -25,7 +25,8 @@ class Accessor:
         """A new mesh with texture coordinates; see `angle_based_flattening.unwrap()`."""
         return unwrap(self._mesh, **options)
 
-    def atlas(self, **options: Any) -> Atlas | list[Atlas]:
+    def atlas(self, **options: Any) -> Atlas:
         """Its `Atlas`; see `angle_based_flattening.atlas()`."""
         taken = _taken(self._mesh)
-        return atlas(taken.vertices, taken.faces, **options)
+        result: Atlas = atlas(taken.vertices, taken.faces, **options)
+        return result

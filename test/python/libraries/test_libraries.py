@@ -7,7 +7,6 @@ import os
 import subprocess
 import sys
 import warnings
-from types import SimpleNamespace
 
 import angle_based_flattening as abf
 import numpy as np
@@ -15,8 +14,7 @@ import pytest
 from angle_based_flattening import _core
 
 import meshes  # of the folder above: see conftest.py
-
-FLOAT = 1e-6
+from common import check
 
 
 def mixed():
@@ -25,23 +23,6 @@ def mixed():
     quads = indices.reshape(-1, 4)
     a, b, c, d = quads[-1]
     return vertices, quads[:-1], np.array([(a, b, c), (a, c, d)])
-
-
-def check(atlas, faces, points, old_points, new_points, new_indices, uv):
-    """What all libraries have to keep: faces in their order, with the same points, and the coordinates of the atlas;
-    and what they hold is injective. `faces` and `new_indices` are flat, but for triangles."""
-    assert np.array_equal(np.asarray(new_points)[np.ravel(new_indices)], np.asarray(old_points)[np.ravel(points)])
-    corners = np.asarray(uv, float)
-    assert corners.shape == atlas.uv.shape and np.abs(corners - atlas.uv).max() < FLOAT
-    assert corners.min() >= 0 and corners.max() <= 1
-    assert abf.certify(old_points, faces, corners)
-
-
-@pytest.fixture
-def torus():
-    vertices, faces = meshes.torus(24, 16)
-    colors = np.random.default_rng(1).integers(0, 255, (len(vertices), 4)).astype(np.uint8)
-    return SimpleNamespace(vertices=vertices, faces=faces, colors=colors)
 
 
 class TestTrimesh:
@@ -224,48 +205,6 @@ class TestMeshio:
         with pytest.raises(abf.MeshError) as raised:
             abf.unwrap(meshio.Mesh(np.eye(3), [("line", [[0, 1]])]))
         assert raised.value.status == "EMPTY_MESH"
-
-
-class TestOpen3D:
-    @pytest.fixture
-    def o3d(self):
-        return pytest.importorskip("open3d")
-
-    def test_tensors(self, o3d, torus, tmp_path):
-        mesh = o3d.t.geometry.TriangleMesh(o3d.core.Tensor(torus.vertices.astype(np.float32)),
-                                           o3d.core.Tensor(torus.faces))
-        mesh.vertex["colors"] = o3d.core.Tensor(torus.colors[:, :3].copy())
-        mesh.triangle["n"] = o3d.core.Tensor(np.arange(768))
-        new, atlas = abf.unwrap(mesh, return_atlas=True)
-        assert type(new) is type(mesh) and "texture_uvs" not in mesh.triangle
-        uv = new.triangle["texture_uvs"].numpy()
-        assert uv.shape == (768, 3, 2) and uv.dtype == np.float32
-        points, indices = new.vertex.positions.numpy(), new.triangle.indices.numpy()
-        assert np.array_equal(indices, torus.faces)
-        check(atlas, torus.faces, torus.faces, torus.vertices.astype(np.float32), points, indices, uv.reshape(-1, 2))
-        assert np.array_equal(new.vertex["colors"].numpy(), torus.colors[:, :3]) and "n" in new.triangle
-        assert abf.unwrap(new, given_charts="keep").triangle["texture_uvs"].shape[0] == 768
-        o3d.t.io.write_triangle_mesh(str(tmp_path / "a.npz"), new)
-        again = o3d.t.io.read_triangle_mesh(str(tmp_path / "a.npz"))
-        assert np.array_equal(again.triangle["texture_uvs"].numpy(), uv)
-
-    def test_legacy(self, o3d, torus, tmp_path):
-        mesh = o3d.geometry.TriangleMesh(o3d.utility.Vector3dVector(torus.vertices),
-                                         o3d.utility.Vector3iVector(torus.faces))
-        mesh.vertex_colors = o3d.utility.Vector3dVector(torus.colors[:, :3] / 255)
-        new, atlas = abf.unwrap(mesh, return_atlas=True)
-        assert type(new) is type(mesh) and not mesh.has_triangle_uvs() and len(new.vertex_colors) == 384
-        check(atlas, torus.faces, torus.faces, torus.vertices, new.vertices, new.triangles, new.triangle_uvs)
-        assert abf.unwrap(new, given_charts="keep").has_triangle_uvs()
-        assert o3d.io.write_triangle_mesh(str(tmp_path / "a.obj"), new)
-        again = o3d.io.read_triangle_mesh(str(tmp_path / "a.obj"))
-        assert np.abs(np.asarray(again.triangle_uvs) - np.asarray(new.triangle_uvs)).max() < 1e-5
-
-    def test_empty(self, o3d):
-        with pytest.raises(TypeError, match="mesh is a TriangleMesh: its attribute 'vertex' has no 'positions'"):
-            abf.unwrap(o3d.t.geometry.TriangleMesh())
-        with pytest.raises(abf.MeshError):
-            abf.unwrap(o3d.geometry.TriangleMesh())
 
 
 class TestPairs:
