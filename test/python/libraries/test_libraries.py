@@ -7,6 +7,7 @@ import os
 import subprocess
 import sys
 import warnings
+from pathlib import Path
 
 import angle_based_flattening as abf
 import numpy as np
@@ -159,6 +160,26 @@ class TestPyVista:
         new, atlas = mesh.abf.unwrap(return_atlas=True, resolution=64)
         assert new.active_texture_coordinates is not None and len(atlas.uv) == 26
         assert mesh.abf.atlas(resolution=64).report["atlas"]["injective"]
+
+
+    def test_entry_point(self, pv, tmp_path):
+        """Where the package is installed, PyVista finds the accessor by itself."""
+        if not hasattr(pv, "register_dataset_accessor"):
+            pytest.skip("no accessors in this PyVista")
+        tomllib = pytest.importorskip("tomllib")
+        pyproject = Path(__file__).resolve().parents[3] / "python/pyproject.toml"
+        points = tomllib.loads(pyproject.read_text())["project"]["entry-points"]
+        information = tmp_path / "angle_based_flattening-0.dist-info"  # as an installation has it
+        information.mkdir()
+        (information / "METADATA").write_text("Metadata-Version: 2.1\nName: angle-based-flattening\nVersion: 0\n")
+        (information / "entry_points.txt").write_text("".join(
+            f"[{group}]\n" + "".join(f"{name} = {module}\n" for name, module in names.items())
+            for group, names in points.items()))
+        code = "import pyvista\nprint(pyvista.Sphere().abf.unwrap().active_texture_coordinates.shape[1])"
+        path = os.pathsep.join([str(tmp_path), os.environ.get("PYTHONPATH", "")])
+        done = subprocess.run([sys.executable, "-c", code], env={**os.environ, "PYTHONPATH": path}, capture_output=True,
+                              text=True)
+        assert done.stdout == "2\n", done.stderr
 
 
 class TestMeshio:
