@@ -46,7 +46,7 @@ def _uri(data: bytes, kind: str) -> str:
 
 
 def unwrap(scene: Any, options: dict[str, Any]) -> Any:
-    """A new ``pygltflib.GLTF2`` with an atlas of all its meshes. It contains what was in files beside the given one."""
+    """A new ``pygltflib.GLTF2`` with an atlas of all its meshes, and with what was in files beside the given one."""
     import pygltflib
 
     words = arguments(options)

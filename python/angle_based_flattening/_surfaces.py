@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _arrays, _core, _options
+from . import _core, _options
 from ._charts import corner_coordinates, given_mesh
 
 

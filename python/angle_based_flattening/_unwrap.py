@@ -116,7 +116,8 @@ def _taken(mesh: Any) -> _Taken:
 
 def _attribute(mesh: Any, name: str) -> Any:
     if not hasattr(mesh, name):
-        raise TypeError(f"mesh is a {type(mesh).__name__}: it has no attribute {name!r}")
+        kind = type(mesh).__name__
+        raise TypeError(f"mesh is {'an' if kind[0] in 'aeiouAEIO' else 'a'} {kind}: it has no attribute {name!r}")
     return getattr(mesh, name)
 
 

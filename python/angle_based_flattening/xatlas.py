@@ -230,7 +230,8 @@ class Atlas:
             a, b = (uv[:, i] - uv[:, 0] for i in (1, 2))
             np.add.at(areas, page, abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]) / 2)
             # Vertices are split by the coordinates before pages lie over one another.
-            vmapping, indices, _ = dataclasses.replace(result, uv=np.where(np.isnan(result.uv), 0, result.uv)).unshared()
+            given = dataclasses.replace(result, uv=np.where(np.isnan(result.uv), 0, result.uv))
+            vmapping, indices, _ = given.unshared()
             uvs = np.zeros((len(vmapping), 2), np.float32)
             uvs[indices] = uv
             mesh.charts, mesh.pages = np.full((2, len(vmapping)), _NONE)

@@ -190,7 +190,8 @@ class TestMeshio:
     @pytest.fixture
     def mesh(self, meshio):
         vertices, quads, triangles = mixed()
-        cells = [("triangle", triangles[:1]), ("line", np.array([[0, 8]])), ("quad", quads), ("triangle", triangles[1:])]
+        cells = [("triangle", triangles[:1]), ("line", np.array([[0, 8]])), ("quad", quads),
+                 ("triangle", triangles[1:])]
         points = np.concatenate([vertices, [[9, 9, 9]]])
         return meshio.Mesh(points, cells, {"height": points[:, 2]}, {"n": [np.arange(len(c)) for _, c in cells]},
                            point_sets={"ends": np.array([0, 8])})
@@ -253,7 +254,7 @@ class TestPairs:
         class Foo:
             vertices = torus.vertices
 
-        for mesh, text in ((Foo(), "mesh is a Foo: it has no attribute 'faces'"), (3, "mesh is a int: it has no "),
+        for mesh, text in ((Foo(), "mesh is a Foo: it has no attribute 'faces'"), (3, "mesh is an int: it has no "),
                            ((1, 2, 3), "a tuple of 3"), ("a.obj", "python -m angle_based_flattening")):
             with pytest.raises(TypeError, match=text):
                 abf.unwrap(mesh)
