@@ -2,10 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the meshes of all libraries have to keep."""
 
+from pathlib import Path
+
 import angle_based_flattening as abf
 import numpy as np
 
 FLOAT = 1e-6
+ROOT = Path(__file__).resolve().parents[3]
+PYPROJECT = next(file for file in (ROOT / "pyproject.toml", ROOT / "python/pyproject.toml") if file.exists())
 
 
 def check(atlas, faces, points, old_points, new_points, new_indices, uv):

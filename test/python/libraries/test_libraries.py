@@ -7,7 +7,6 @@ import os
 import subprocess
 import sys
 import warnings
-from pathlib import Path
 
 import angle_based_flattening as abf
 import numpy as np
@@ -15,7 +14,7 @@ import pytest
 from angle_based_flattening import _core
 
 import meshes  # of the folder above: see conftest.py
-from common import check
+from common import PYPROJECT, check
 
 
 def mixed():
@@ -167,8 +166,7 @@ class TestPyVista:
         if not hasattr(pv, "register_dataset_accessor"):
             pytest.skip("no accessors in this PyVista")
         tomllib = pytest.importorskip("tomllib")
-        pyproject = Path(__file__).resolve().parents[3] / "python/pyproject.toml"
-        points = tomllib.loads(pyproject.read_text())["project"]["entry-points"]
+        points = tomllib.loads(PYPROJECT.read_text())["project"]["entry-points"]
         information = tmp_path / "angle_based_flattening-0.dist-info"  # as an installation has it
         information.mkdir()
         (information / "METADATA").write_text("Metadata-Version: 2.1\nName: angle-based-flattening\nVersion: 0\n")

@@ -8,7 +8,6 @@ import io
 import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
-from pathlib import Path
 
 import angle_based_flattening as abf
 import numpy as np
@@ -17,8 +16,8 @@ from angle_based_flattening import __main__ as program
 from angle_based_flattening import _core, check
 
 import meshes
+from common import PYPROJECT, ROOT
 
-ROOT = Path(__file__).resolve().parents[3]
 SVG = "{http://www.w3.org/2000/svg}"
 
 
@@ -183,7 +182,7 @@ def test_types(tmp_path):
     """The package is typed, and so is what a user writes with it."""
     pytest.importorskip("mypy")
     mypy = [sys.executable, "-m", "mypy", "--cache-dir", str(tmp_path / "cache")]
-    settings = ["--config-file", str(ROOT / "python/pyproject.toml")]
+    settings = ["--config-file", str(PYPROJECT)]
     done = subprocess.run([*mypy, *settings, "python/angle_based_flattening"], cwd=ROOT, capture_output=True, text=True)
     assert done.returncode == 0, done.stdout
     (tmp_path / "user.py").write_text(USER)
