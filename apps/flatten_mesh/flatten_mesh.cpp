@@ -8,7 +8,13 @@
 
 #include "flatten_mesh/run_program.h"
 
+#include <cstdlib>
+
 int main(int argc, char* argv[])
 {
-  return flatten_mesh::run_program(argc, argv);
+  const flatten_mesh::Exit_status status = flatten_mesh::run_program(argc, argv);
+  if(status != flatten_mesh::SUCCESS) { // memory may have run out for one of several inputs
+    std::_Exit(status);
+  }
+  return status;
 }

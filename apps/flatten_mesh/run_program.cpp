@@ -22,21 +22,11 @@
 #include <CGAL/assertions.h>
 #include <CGAL/assertions_behaviour.h>
 
-#include <cstdlib>
 #include <iostream>
 
 namespace flatten_mesh {
 
 namespace {
-
-// If memory runs out, threads of OpenBLAS wait for more forever, and a regular exit of the process would wait for
-// these threads.
-[[noreturn]] void end(const Exit_status status)
-{
-  std::cout.flush();
-  std::cerr.flush();
-  std::_Exit(status);
-}
 
 Exit_status run(const Command_line& command)
 {
@@ -80,9 +70,8 @@ Exit_status run_program(int argc, char* argv[])
   keep_freed_memory();
   Unfinished_files::remove_when_interrupted();
   const Exit_status status = understand_and_run(argc, argv);
-  if(status != SUCCESS) { // memory may have run out for one of several inputs
-    end(status);
-  }
+  std::cout.flush();
+  std::cerr.flush();
   return status;
 }
 

@@ -10,7 +10,8 @@
 
 namespace flatten_mesh {
 
-// The whole program. The Python module has it, too. Without success, the process ends here.
+// The whole program, which the Python module has, too. After a failure, the process must end with `std::_Exit()`: if
+// memory ran out, threads of OpenBLAS wait for more forever, and a regular exit would wait for these threads.
 Exit_status run_program(int argc, char* argv[]);
 
 } // namespace flatten_mesh

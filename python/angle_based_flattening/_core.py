@@ -10,11 +10,14 @@ import threading
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ._errors import Cancelled, MeshError
+
+if TYPE_CHECKING:
+    from ._arrays import Array
 
 _LIBRARY = ctypes.CDLL(str(Path(__file__).with_name("libangle_based_flattening.so")))
 
@@ -68,10 +71,10 @@ _free_result = _declare("free_result", _p, result=None)
 
 _described = json.loads(_description())
 __version__: str = _described["version"]
-OPTIONS: dict[str, list[tuple[str, str, str, str, str]]] = _described["options"]
+OPTIONS: dict[str, list[tuple[str, str, str, str, str]]] = _described["options"]  # name, kind, default, values, help
 
 
-def _view(array: np.ndarray | None) -> _Array:
+def _view(array: Array | None) -> _Array:
     """Where an array is."""
     if array is None:
         return _Array()
@@ -96,7 +99,7 @@ class _Owned:
         free(self._handle)
 
 
-def _finish(result: int) -> tuple[str, list[np.ndarray]]:
+def _finish(result: int) -> tuple[str, list[Array]]:
     """The text and the arrays of a result, or its failure as an exception."""
     try:
         kind = _kind(result)
@@ -111,7 +114,8 @@ def _finish(result: int) -> tuple[str, list[np.ndarray]]:
         return text, arrays
     if kind == 3:
         status, mesh, message = text.split("\n", 2)
-        raise MeshError(status, message, *arrays, mesh=int(mesh))
+        faces, vertices = arrays
+        raise MeshError(status, message, faces, vertices, int(mesh))
     raise {1: ValueError, 2: TypeError, 4: MemoryError}.get(kind, RuntimeError)(text)
 
 
@@ -122,7 +126,7 @@ class Watch:
         self._progress = progress
         self._timeout = timeout
 
-    def run(self, function: Any, *arguments: Any) -> tuple[str, list[np.ndarray]]:
+    def run(self, function: Any, *arguments: Any) -> tuple[str, list[Array]]:
         """Calls a function of the library in another thread. Meanwhile, this one looks after signals, the time and the
         progress twenty times a second."""
         state = _Progress(b"READ", 0, 0)
@@ -172,8 +176,8 @@ def _options(options: dict[str, Any]) -> bytes:
 class GivenMesh:
     """A mesh as the library takes it."""
 
-    def __init__(self, vertices: np.ndarray, offsets: np.ndarray | None, indices: np.ndarray,
-                 marked_seams: np.ndarray | None, uv: np.ndarray | None, ignored_faces: np.ndarray | None):
+    def __init__(self, vertices: Array, offsets: Array | None, indices: Array,
+                 marked_seams: Array | None, uv: Array | None, ignored_faces: Array | None):
         arrays = vertices, offsets, indices, marked_seams, uv, ignored_faces
         self.view = _Mesh(*map(_view, arrays))
         self.view.arrays = arrays  # as in `_view()`
@@ -182,9 +186,9 @@ class GivenMesh:
 class Flattener:
     """A mesh that is flattened again and again. What is prescribed comes as pairs of vertices and values."""
 
-    def __init__(self, mesh: GivenMesh, is_hierarchical: bool, options: dict[str, Any], corners: np.ndarray | None,
-                 aspect_ratio: float, angles: tuple[np.ndarray, np.ndarray] | None,
-                 pins: tuple[np.ndarray, np.ndarray] | None):
+    def __init__(self, mesh: GivenMesh, is_hierarchical: bool, options: dict[str, Any], corners: Array | None,
+                 aspect_ratio: float, angles: tuple[Array, Array] | None,
+                 pins: tuple[Array, Array] | None):
         self._handle = _p()
         self._mesh = mesh
         prescriptions = _Prescriptions(_view(corners), aspect_ratio, *map(_view, angles or (None, None)),
@@ -194,20 +198,20 @@ class Flattener:
     def __del__(self, free: Any = _free_flattener) -> None:
         free(self._handle)
 
-    def solve(self, vertices: np.ndarray, watch: Watch) -> tuple[np.ndarray, str]:
+    def solve(self, vertices: Array, watch: Watch) -> tuple[Array, str]:
         text, (uv,) = watch.run(_solve, self._handle, _view(vertices))
         return uv, text
 
 
 def atlas(meshes: Sequence[GivenMesh], is_shared: bool, choices: dict[str, Any], options: dict[str, Any],
-          watch: Watch) -> tuple[list[tuple[np.ndarray, np.ndarray, np.ndarray]], str]:
+          watch: Watch) -> tuple[list[tuple[Array, Array, Array]], str]:
     views = (_Mesh * len(meshes))(*(mesh.view for mesh in meshes))
-    views.meshes = meshes  # as in `_view()`
+    views.meshes = meshes  # type: ignore[attr-defined]  # as in `_view()`
     text, arrays = watch.run(_atlas, views, len(meshes), is_shared, _options(choices), _options(options))
     return list(zip(arrays[::3], arrays[1::3], arrays[2::3])), text
 
 
-def lscm(mesh: GivenMesh, watch: Watch) -> tuple[np.ndarray, str]:
+def lscm(mesh: GivenMesh, watch: Watch) -> tuple[Array, str]:
     text, (uv,) = watch.run(_lscm, mesh.view)
     return uv, text
 
@@ -216,35 +220,35 @@ def measure(mesh: GivenMesh, watch: Watch) -> str:
     return watch.run(_measure, mesh.view)[0]
 
 
-def certify(mesh: GivenMesh, watch: Watch) -> tuple[bool, np.ndarray, np.ndarray]:
+def certify(mesh: GivenMesh, watch: Watch) -> tuple[bool, Array, Array]:
     text, (flipped, overlapping) = watch.run(_certify, mesh.view)
     return text == "true", flipped, overlapping
 
 
-def pack(mesh: GivenMesh, first_faces: np.ndarray, options: dict[str, Any], watch: Watch) -> tuple[np.ndarray, str]:
+def pack(mesh: GivenMesh, first_faces: Array, options: dict[str, Any], watch: Watch) -> tuple[Array, str]:
     text, (uv,) = watch.run(_pack, mesh.view, _view(first_faces), _options(options))
     return uv, text
 
 
-def unshared(indices: np.ndarray, uv: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def unshared(indices: Array, uv: Array) -> tuple[Array, Array, Array]:
     mapping, new_indices, coordinates = _finish(_unshared(_view(indices), _view(uv), None))[1]
     return mapping, new_indices, coordinates
 
 
-def seams(mesh: GivenMesh, way: str, options: dict[str, Any], watch: Watch) -> tuple[np.ndarray, str]:
+def seams(mesh: GivenMesh, way: str, options: dict[str, Any], watch: Watch) -> tuple[Array, str]:
     text, (pairs,) = watch.run(_seams, mesh.view, way.encode(), _options(options))
     return pairs, text
 
 
 def cones(mesh: GivenMesh, number: int, angle_multiple: float, is_flattened: bool, threads: int,
-          watch: Watch) -> tuple[float, list[np.ndarray]]:
+          watch: Watch) -> tuple[float, list[Array]]:
     """The predicted stretch; vertices, angles and, with a map, coordinates of corners and edges of seams."""
     text, arrays = watch.run(_cones, mesh.view, number, angle_multiple, is_flattened, threads)
     return float(text), arrays
 
 
-def bake(mesh: GivenMesh, fine: GivenMesh, colors: np.ndarray | None, options: dict[str, Any],
-         watch: Watch) -> tuple[np.ndarray, np.ndarray, np.ndarray | None, np.ndarray, str]:
+def bake(mesh: GivenMesh, fine: GivenMesh, colors: Array | None, options: dict[str, Any],
+         watch: Watch) -> tuple[Array, Array, Array | None, Array, str]:
     text, (normals, displacements, texels, *found) = watch.run(_bake, mesh.view, fine.view, _view(colors),
                                                                _options(options))
     height, report = text.split("\n", 1)
@@ -254,8 +258,8 @@ def bake(mesh: GivenMesh, fine: GivenMesh, colors: np.ndarray | None, options: d
 
 
 def run_program(arguments: Sequence[str]) -> int:
-    """Runs the program flatten_mesh in this process, and returns its exit status. If it fails, the process ends."""
+    """Runs the program flatten_mesh in this process, which signals interrupt then, and returns its exit status."""
     for each in signal.SIGINT, signal.SIGPIPE:  # Python keeps these to itself
         signal.signal(each, signal.SIG_DFL)
     argv = [b"flatten_mesh", *map(os.fsencode, arguments)]
-    return _run_program(len(argv), (ctypes.c_char_p * (len(argv) + 1))(*argv, None))
+    return int(_run_program(len(argv), (ctypes.c_char_p * (len(argv) + 1))(*argv, None)))

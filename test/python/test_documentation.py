@@ -127,7 +127,7 @@ def test_example_of_a_morph(tmp_path):
 
 def test_example_of_other_libraries(tmp_path):
     lines = run_example(tmp_path, "other_libraries.py")
-    assert [line.split(":")[0] for line in lines] == ["trimesh", "pyvista", "open3d"]
+    assert [line.split(":")[0] for line in lines] == ["trimesh", "pyvista", "meshio", "open3d"]
     for line in lines:
         name = line.split(":")[0]
         assert ("skipped" in line) == (importlib.util.find_spec(name) is None)
