@@ -16,7 +16,8 @@ from ._atlas import Atlas, atlas
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-Array = NDArray[Any]
+    Array = NDArray[Any]
+
 
 
 @dataclass
