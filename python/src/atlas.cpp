@@ -125,7 +125,8 @@ Result make_atlases(const std::vector<Surface_soup>& soups, const bool is_shared
 } // namespace abf_python
 
 abf_result* abf_atlas(const abf_mesh* const meshes, const int number, const int is_shared,
-                      const char* const given_choices, const char* const options, abf_progress* const progress)
+                      const char* const given_choices, const char* const options,
+                      abf_progress* const progress)
 {
   using namespace abf_python;
   return result_of([&](abf_result& result) {

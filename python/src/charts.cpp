@@ -167,12 +167,12 @@ public:
   Flattener(const abf_mesh& mesh, const bool is_hierarchical, const char* const options,
             const abf_prescriptions& prescriptions)
       : m_given(mesh), m_prescriptions(prescriptions),
-        m_hierarchical(is_hierarchical ? std::make_optional<Hierarchical>(
-                                             watched(options_of<SMP::Hierarchical_options>(
-                                                 options, "the hierarchical method")))
-                                       : std::nullopt),
-        m_direct(watched(options_of<SMP::ABF_plus_plus_options>(is_hierarchical ? "{}" : options,
-                                                                "the direct method")))
+        m_hierarchical(is_hierarchical
+                           ? std::make_optional<Hierarchical>(watched(
+                                 options_of<SMP::Hierarchical_options>(options, "the hierarchical method")))
+                           : std::nullopt),
+        m_direct(watched(
+            options_of<SMP::ABF_plus_plus_options>(is_hierarchical ? "{}" : options, "the direct method")))
   {}
 
   Flattening solve(const abf_array& vertices, abf_progress& state)
@@ -212,7 +212,7 @@ private:
     Mesh& mesh = m_surface->mesh;
     if(points.size() != mesh.number_of_vertices()) {
       throw Wrong_value("there are " + std::to_string(points.size()) + " vertices, and were " +
-                            std::to_string(mesh.number_of_vertices()) + " before");
+                        std::to_string(mesh.number_of_vertices()) + " before");
     }
     for(const Vertex v : mesh.vertices()) {
       mesh.point(v) = points[v.idx()];
@@ -285,12 +285,13 @@ abf_result* result_of_flattening(const std::function<Flattening()>& f)
 using namespace abf_python;
 
 // For Python, a `Flattener` is an address.
-abf_result* abf_make_flattener(const abf_mesh* const mesh, const int is_hierarchical, const char* const options,
-                               const abf_prescriptions* const prescriptions, abf_flattener** const flattener)
+abf_result* abf_make_flattener(const abf_mesh* const mesh, const int is_hierarchical,
+                               const char* const options, const abf_prescriptions* const prescriptions,
+                               abf_flattener** const flattener)
 {
   return result_of([&](abf_result&) {
-    *flattener = reinterpret_cast<abf_flattener*>(
-        new Flattener(*mesh, is_hierarchical != 0, options, *prescriptions));
+    *flattener =
+        reinterpret_cast<abf_flattener*>(new Flattener(*mesh, is_hierarchical != 0, options, *prescriptions));
   });
 }
 

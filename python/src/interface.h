@@ -37,7 +37,7 @@ struct abf_mesh
 // What a chart should look like
 struct abf_prescriptions
 {
-  abf_array corners; // of a rectangle
+  abf_array corners;   // of a rectangle
   double aspect_ratio; // if not 0, corners for this ratio are chosen
   abf_array angle_vertices, angles;
   abf_array pin_vertices, pins;

@@ -124,37 +124,37 @@ abf_result* abf_pack(const abf_mesh* const given, const abf_array* const given_f
 abf_result* abf_unshared(const abf_array* const indices, const abf_array* const given_uv, abf_progress*)
 {
   return result_of([&](abf_result& result) {
-  const std::vector<Index> vertices =
-      read_indices(*indices, std::numeric_limits<Index>::max(), "indices", "vertices");
-  const std::vector<Kernel::Point_2> uv = read_points<Kernel::Point_2, 2>(*given_uv);
-  constexpr Index none = Surface_soup::none;
-  std::vector<Index> last_of_vertex, previous, new_indices; // new vertices of one vertex are linked
-  std::vector<Index> mapping;
-  std::vector<float> coordinates;
-  const auto is_same = [&](const Index made, const Kernel::Point_2& p) {
-    const float u = static_cast<float>(p.x()), v = static_cast<float>(p.y());
-    const float x = coordinates[2 * made], y = coordinates[2 * made + 1];
-    return (x == u && y == v) || (std::isnan(x) && std::isnan(u));
-  };
-  for(std::size_t c = 0; c < vertices.size(); ++c) {
-    const Index v = vertices[c];
-    if(v >= last_of_vertex.size()) {
-      last_of_vertex.resize(v + 1, none);
+    const std::vector<Index> vertices =
+        read_indices(*indices, std::numeric_limits<Index>::max(), "indices", "vertices");
+    const std::vector<Kernel::Point_2> uv = read_points<Kernel::Point_2, 2>(*given_uv);
+    constexpr Index none = Surface_soup::none;
+    std::vector<Index> last_of_vertex, previous, new_indices; // new vertices of one vertex are linked
+    std::vector<Index> mapping;
+    std::vector<float> coordinates;
+    const auto is_same = [&](const Index made, const Kernel::Point_2& p) {
+      const float u = static_cast<float>(p.x()), v = static_cast<float>(p.y());
+      const float x = coordinates[2 * made], y = coordinates[2 * made + 1];
+      return (x == u && y == v) || (std::isnan(x) && std::isnan(u));
+    };
+    for(std::size_t c = 0; c < vertices.size(); ++c) {
+      const Index v = vertices[c];
+      if(v >= last_of_vertex.size()) {
+        last_of_vertex.resize(v + 1, none);
+      }
+      Index made = last_of_vertex[v];
+      while(made != none && !is_same(made, uv[c])) {
+        made = previous[made];
+      }
+      if(made == none) {
+        made = static_cast<Index>(mapping.size());
+        mapping.push_back(v);
+        coordinates.push_back(static_cast<float>(uv[c].x()));
+        coordinates.push_back(static_cast<float>(uv[c].y()));
+        previous.push_back(last_of_vertex[v]);
+        last_of_vertex[v] = made;
+      }
+      new_indices.push_back(made);
     }
-    Index made = last_of_vertex[v];
-    while(made != none && !is_same(made, uv[c])) {
-      made = previous[made];
-    }
-    if(made == none) {
-      made = static_cast<Index>(mapping.size());
-      mapping.push_back(v);
-      coordinates.push_back(static_cast<float>(uv[c].x()));
-      coordinates.push_back(static_cast<float>(uv[c].y()));
-      previous.push_back(last_of_vertex[v]);
-      last_of_vertex[v] = made;
-    }
-    new_indices.push_back(made);
-  }
     result.add(std::move(mapping));
     result.add(std::move(new_indices));
     result.add(std::move(coordinates), 2);

@@ -54,7 +54,9 @@ struct abf_result
   void add(std::vector<Number>&& numbers, const std::int64_t columns = 1)
   {
     numbers.reserve(1); // numpy wants an address for empty arrays, too
-    constexpr char kind_of_number = std::is_floating_point_v<Number> ? 'f' : std::is_signed_v<Number> ? 'i' : 'u';
+    constexpr char kind_of_number = std::is_floating_point_v<Number> ? 'f'
+                                    : std::is_signed_v<Number>       ? 'i'
+                                                                     : 'u';
     auto owned = std::make_unique<abf_python::Owned_vector<Number>>(std::move(numbers));
     const std::vector<Number>& kept = owned->numbers;
     constexpr std::int64_t size = sizeof(Number);

@@ -44,12 +44,11 @@ inline void read_faces(const abf_mesh& given, const std::string& mesh, Surface_s
     }
     return;
   }
-  soup.first_corners = read_indices(given.offsets, soup.vertices.size() + 1,
-                                    name_of("offsets", mesh), "indices, and one more may be an offset");
+  soup.first_corners = read_indices(given.offsets, soup.vertices.size() + 1, name_of("offsets", mesh),
+                                    "indices, and one more may be an offset");
   for(std::size_t p = 1; p < soup.first_corners.size(); ++p) {
     if(soup.first_corners[p] < soup.first_corners[p - 1]) {
-      throw Wrong_value(name_of("offsets", mesh) + "[" + std::to_string(p) +
-                            "] is less than the one before");
+      throw Wrong_value(name_of("offsets", mesh) + "[" + std::to_string(p) + "] is less than the one before");
     }
   }
   if(soup.first_corners.front() != 0 || soup.first_corners.back() != soup.vertices.size()) {
@@ -83,8 +82,8 @@ inline Surface_soup soup_of(const abf_mesh& given, const std::string& mesh)
     soup.is_ignored.push_back(is_ignored(p));
   }
   if(is_given(given.marked_seams)) {
-    const std::vector<Index> vertices = read_indices(given.marked_seams, soup.points.size(),
-                                                     name_of("marked_seams", mesh), "vertices");
+    const std::vector<Index> vertices =
+        read_indices(given.marked_seams, soup.points.size(), name_of("marked_seams", mesh), "vertices");
     for(std::size_t i = 0; i < vertices.size(); i += 2) {
       soup.marked_seams.emplace_back(vertices[i], vertices[i + 1]);
     }

@@ -158,7 +158,8 @@ abf_result* abf_bake(const abf_mesh* const given, const abf_mesh* const given_fi
   return result_of([&](abf_result& result) {
     const auto options = options_of<TA::Baking_options>(given_options, "textures");
     with_failures([&] {
-      Surface surface = surface_of(soup_of(*given, "")), fine = surface_of(soup_of(*given_fine, "the fine mesh"));
+      Surface surface = surface_of(soup_of(*given, "")),
+              fine = surface_of(soup_of(*given_fine, "the fine mesh"));
       const auto uv = corner_map(surface);
       const auto chart = surface.mesh.add_property_map<Face, int>("f:chart", 0).first;
       for(const Face f : surface.mesh.faces()) {

@@ -37,7 +37,8 @@ struct Given_value
   std::string type; // bool, int, float or str, as for numbers of numpy, too; or another type
   std::string text; // 1 for True
 
-  Given_value(const std::string& name, const Json& value) : name(name), type(value.at(0)), text(value.at(1)) {}
+  Given_value(const std::string& name, const Json& value) : name(name), type(value.at(0)), text(value.at(1))
+  {}
 
   [[noreturn]] void fail_on_type(const std::string& expected) const
   {
