@@ -14,7 +14,6 @@ from pathlib import Path
 
 import angle_based_flattening as abf
 import meshes
-import numpy as np
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
