@@ -9,6 +9,7 @@ import re
 import subprocess
 import sys
 import tempfile
+from contextlib import redirect_stdout
 from pathlib import Path
 
 from scikit_build_core.build import prepare_metadata_for_build_wheel
@@ -37,4 +38,6 @@ def pack(build: str, folder: Path, platform: str = "") -> Path:
 
 
 if __name__ == "__main__":
-    print(pack(os.path.abspath(sys.argv[1]), Path(sys.argv[2]).resolve(), *sys.argv[3:]))
+    with redirect_stdout(sys.stderr):  # the standard output is for the name alone
+        wheel = pack(os.path.abspath(sys.argv[1]), Path(sys.argv[2]).resolve(), *sys.argv[3:])
+    print(wheel)
