@@ -77,7 +77,7 @@ def measure(found, seconds):
     from abf_unwrap.blender_mesh import read_mesh
     from abf_unwrap.islands import islands_of, joined_corners
 
-    mesh = read_mesh(found, False)
+    mesh = read_mesh(found, "ALL")
     uv = mesh.uv.astype(float)
     lengths = np.linalg.norm(np.diff(mesh.vertices[mesh.edges].astype(float), axis=1)[:, 0], axis=1)
     has_two_faces = np.bincount(mesh.corner_edges, minlength=len(mesh.edges)) >= 2

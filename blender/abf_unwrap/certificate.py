@@ -13,6 +13,14 @@ from .islands import component_labels, island_of, joined_corners
 from .mesh_arrays import MeshArrays
 
 
+def flipped_and_overlapping(mesh: MeshArrays) -> tuple[np.ndarray, np.ndarray]:
+    """The chosen faces that are flipped, and those that overlap others. A face without area counts as flipped."""
+    labels = component_labels(len(mesh.uv), joined_corners(mesh, by_uv=True, tolerance=0))
+    whole = island_of(mesh, np.flatnonzero(mesh.chosen), labels)
+    certificate = module.load().certify(whole.vertices, whole.polygons, mesh.uv[whole.corners].astype(float))
+    return whole.faces[certificate.flipped], whole.faces[certificate.overlapping]
+
+
 def faults(mesh: MeshArrays, uv: np.ndarray, shown_uv: np.ndarray) -> np.ndarray:
     """The faces that are flipped or overlap others with the coordinates shown_uv. Faces are joined, and those of a
     surface with opposite orientations turned, as the coordinates uv have it. Faces without these do not count."""

@@ -177,10 +177,20 @@ def joined(meshes):
 def select_faces(found, chosen):
     """Selects faces, with the vertices and edges that belong to them, as in the mode of faces."""
     bpy.context.tool_settings.mesh_select_mode = (False, False, True)
-    for collection in (found.data.vertices, found.data.edges):
-        collection.foreach_set("select", np.zeros(len(collection), bool))
-    found.data.polygons.foreach_set("select", np.asarray(chosen, bool))
+    for collection, name, domain in (("vertices", ".select_vert", "POINT"), ("edges", ".select_edge", "EDGE")):
+        set_flags(found.data, collection, name, domain, np.zeros(len(getattr(found.data, collection)), bool))
+    set_flags(found.data, "polygons", ".select_poly", "FACE", np.asarray(chosen, bool))
     found.data.update()
+
+
+def set_flags(mesh, collection, name, domain, flags):
+    """Blender 5.0.1 ends where `select` of edges is set in a mesh of from_pydata()."""
+    if bpy.app.version < (5, 0):
+        getattr(mesh, collection).foreach_set("select", flags)
+        return
+    if name in mesh.attributes:
+        mesh.attributes.remove(mesh.attributes[name])
+    mesh.attributes.new(name, "BOOLEAN", domain).data.foreach_set("value", flags)
 
 
 def selected_faces(found):

@@ -22,7 +22,7 @@ def faults_of(*objects):
     from abf_unwrap.blender_mesh import read_mesh
     from abf_unwrap.certificate import faults
 
-    whole = scenes.joined([read_mesh(found, False) for found in objects])
+    whole = scenes.joined([read_mesh(found, "ALL") for found in objects])
     return faults(whole, whole.uv, whole.uv).tolist()
 
 
@@ -53,7 +53,7 @@ class Certificates(InBlender):
         from abf_unwrap.blender_mesh import read_mesh
         from abf_unwrap.certificate import faults_of_rounding
 
-        mesh = read_mesh(scenes.add_patch(is_planar=True), False)
+        mesh = read_mesh(scenes.add_patch(is_planar=True), "ALL")
         uv = mesh.uv.astype(float)
         self.assertEqual(faults_of_rounding(mesh, uv).tolist(), [])
         self.assertEqual(faults_of_rounding(mesh, uv * 1e-9 + 0.5).tolist(), list(range(40)))
@@ -191,7 +191,7 @@ class AutoSeams(InBlender):
         from abf_unwrap.atlas_tasks import with_names
         from abf_unwrap.blender_mesh import read_mesh
 
-        meshes = [read_mesh(scenes.add_patch(name), False) for name in ("rock", "tree")]
+        meshes = [read_mesh(scenes.add_patch(name), "ALL") for name in ("rock", "tree")]
         self.assertEqual(with_names("mesh 1: 'mesh 0'", meshes), "tree: 'rock'")
         self.assertEqual(with_names("'mesh': bad", meshes[:1]), "'rock': bad")
 
