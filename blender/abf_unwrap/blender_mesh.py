@@ -23,6 +23,59 @@ def values(collection: Any, name: str, kind: Any, width: int = 1) -> np.ndarray:
     return array.reshape(-1, width) if width > 1 else array
 
 
+# A property of elements, and the attribute that has it from Blender 4.2 on. Attributes are read many times as fast.
+ATTRIBUTES = {
+    ("vertices", "co"): ("position", "vector"),
+    ("loops", "vertex_index"): (".corner_vert", "value"),
+    ("loops", "edge_index"): (".corner_edge", "value"),
+    ("edges", "vertices"): (".edge_verts", "value"),
+}
+FLAGS = {
+    ("edges", "use_seam"): "uv_seam",
+    ("polygons", "select"): ".select_poly",
+    ("polygons", "hide"): ".hide_poly",
+}
+
+
+def elements_of(mesh: bpy.types.Mesh, elements: str, name: str, kind: Any, width: int = 1) -> np.ndarray:
+    """A property of all vertices, edges, faces or corners."""
+    if bpy.app.version < (4, 2):
+        return values(getattr(mesh, elements), name, kind, width)
+    attribute, value = ATTRIBUTES[elements, name]
+    return values(mesh.attributes[attribute].data, value, kind, width)
+
+
+def flags_of(mesh: bpy.types.Mesh, elements: str, name: str) -> np.ndarray:
+    """A flag of all vertices, edges or faces. Before Blender 5.0, not all of them are attributes."""
+    if bpy.app.version < (5, 0):
+        return values(getattr(mesh, elements), name, bool)
+    all_elements = getattr(mesh, elements)
+    try:
+        return flag_attribute(mesh, FLAGS[elements, name], len(all_elements))
+    except RuntimeError:  # Blender 5.0 keeps flags that are all alike once, and finds no array of them
+        return np.full(len(all_elements), getattr(all_elements[0], name))
+
+
+def flag_attribute(mesh: bpy.types.Mesh, name: str, number: int) -> np.ndarray:
+    """Without the attribute, no flag is set."""
+    attribute = mesh.attributes.get(name)
+    return np.zeros(number, bool) if attribute is None else values(attribute.data, "value", bool)
+
+
+def uv_of(layer: bpy.types.MeshUVLoopLayer) -> np.ndarray:
+    """The coordinates of each corner."""
+    if bpy.app.version < (4, 2):
+        return values(layer.data, "uv", np.float32, 2)
+    return values(layer.uv, "vector", np.float32, 2)
+
+
+def pins_of(mesh: bpy.types.Mesh, layer: bpy.types.MeshUVLoopLayer) -> np.ndarray:
+    """A flag for each corner. `pin_uv` of all would make the attribute, and takes longer than all else."""
+    if bpy.app.version < (4, 2):
+        return values(layer.data, "pin_uv", bool)
+    return flag_attribute(mesh, f".pn.{layer.name}", len(mesh.loops))
+
+
 def mesh_objects(context: bpy.types.Context) -> list[bpy.types.Object]:
     """The meshes that the user works on: those in edit mode, or else those that are selected. One object for each
     mesh."""
@@ -49,8 +102,7 @@ def selection_of(context: bpy.types.Context) -> str:
 def uv_selected_faces(mesh: bpy.types.Mesh) -> np.ndarray:
     """A flag for each face: whether all of it is selected in the UV editor."""
     if bpy.app.version >= (5, 0):  # which has one such selection for all layers
-        attribute = mesh.attributes.get(".uv_select_face")
-        return np.zeros(len(mesh.polygons), bool) if attribute is None else values(attribute.data, "value", bool)
+        return flag_attribute(mesh, ".uv_select_face", len(mesh.polygons))
     corners = values(mesh.uv_layers.active.data, "select", bool)
     return np.logical_and.reduceat(corners, values(mesh.polygons, "loop_start", np.int32))
 
@@ -62,7 +114,8 @@ def read_mesh(found: bpy.types.Object, selection: str) -> MeshArrays:
         raise BadInput(f"{found.name} is linked from another file: make it local first")
     if len(mesh.polygons) == 0:
         raise BadInput(f"{found.name} has no faces")
-    vertices, corner_vertices = values(mesh.vertices, "co", np.float32, 3), values(mesh.loops, "vertex_index", np.int32)
+    vertices = elements_of(mesh, "vertices", "co", np.float32, 3)
+    corner_vertices = elements_of(mesh, "loops", "vertex_index", np.int32)
     is_broken = ~np.isfinite(vertices).all(axis=1)
     if is_broken.any():
         corner_faces = np.repeat(np.arange(len(mesh.polygons)), values(mesh.polygons, "loop_total", np.int32))
@@ -76,7 +129,7 @@ def read_mesh(found: bpy.types.Object, selection: str) -> MeshArrays:
     layer = mesh.uv_layers.active
     chosen = np.ones(len(mesh.polygons), bool)
     if selection != "ALL":
-        chosen = values(mesh.polygons, "select", bool) & ~values(mesh.polygons, "hide", bool)
+        chosen = flags_of(mesh, "polygons", "select") & ~flags_of(mesh, "polygons", "hide")
     if selection == "UV" and layer is not None:
         chosen &= uv_selected_faces(mesh)
     return MeshArrays(
@@ -84,12 +137,12 @@ def read_mesh(found: bpy.types.Object, selection: str) -> MeshArrays:
         vertices=vertices,
         offsets=np.append(values(mesh.polygons, "loop_start", np.int32), np.int32(len(mesh.loops))),
         corner_vertices=corner_vertices,
-        corner_edges=values(mesh.loops, "edge_index", np.int32),
-        edges=values(mesh.edges, "vertices", np.int32, 2),
-        seams=values(mesh.edges, "use_seam", bool),
+        corner_edges=elements_of(mesh, "loops", "edge_index", np.int32),
+        edges=elements_of(mesh, "edges", "vertices", np.int32, 2),
+        seams=flags_of(mesh, "edges", "use_seam"),
         chosen=chosen,
-        uv=None if layer is None else values(layer.data, "uv", np.float32, 2),
-        pinned=None if layer is None else values(layer.data, "pin_uv", bool),
+        uv=None if layer is None else uv_of(layer),
+        pinned=None if layer is None else pins_of(mesh, layer),
     )
 
 
@@ -123,8 +176,8 @@ def write_result(mesh: bpy.types.Mesh, layer: bpy.types.MeshUVLoopLayer, result:
     uv = result.uv.astype(np.float32)
     stays = np.isnan(uv[:, 0])
     if stays.any():
-        uv[stays] = values(layer.data, "uv", np.float32, 2)[stays]
-    layer.data.foreach_set("uv", uv.ravel())
+        uv[stays] = uv_of(layer)[stays]
+    layer.data.foreach_set("uv", uv.ravel())  # `layer.uv` would write into what undo keeps, up to Blender 5.0
     if result.seams is not None:
         write_flags(mesh, "edges", "use_seam", "uv_seam", result.seams)
     mesh.update()
@@ -149,8 +202,8 @@ def select_faces(mesh: bpy.types.Mesh, faces: np.ndarray) -> None:
     corner_faces = np.repeat(np.arange(len(mesh.polygons)), values(mesh.polygons, "loop_total", np.int32))
     corners = np.isin(corner_faces, faces)
     for elements, attribute, chosen in (
-        ("vertices", ".select_vert", values(mesh.loops, "vertex_index", np.int32)[corners]),
-        ("edges", ".select_edge", values(mesh.loops, "edge_index", np.int32)[corners]),
+        ("vertices", ".select_vert", elements_of(mesh, "loops", "vertex_index", np.int32)[corners]),
+        ("edges", ".select_edge", elements_of(mesh, "loops", "edge_index", np.int32)[corners]),
         ("polygons", ".select_poly", faces),
     ):
         flags = np.zeros(len(getattr(mesh, elements)), bool)
