@@ -23,8 +23,16 @@ from report import table
 
 MODELS = ["suzanne", "bones", "elephant", "cow", "homer", "fandisk", "lion-head", "camel", "bear", "armadillo"]
 MARGIN = 4 / 1024  # between islands, of the square: as ours by default
-TITLES = ["model", "faces", "operator", "islands", "seams", "angle change", "stretch", "flips", "overlaps", "covered",
-          "seconds"]
+COLUMNS = {  # the title of a number, and its format
+    "islands": "{:,.0f}",
+    "seams": "{:.1f}",
+    "angle change": "{:.2f}°",
+    "stretch": "{:.3f}",
+    "flips": "{:,.0f}",
+    "overlaps": "{:,.0f}",
+    "covered": "{:.0f} %",
+    "seconds": "{:.2f}",
+}
 
 
 def read_off(file):
@@ -95,7 +103,7 @@ OPERATORS = {
 
 
 def measure(found, seconds):
-    """The cells of a row."""
+    """The numbers of a row."""
     from abf_unwrap.blender_mesh import read_mesh
     from abf_unwrap.islands import islands_of, joined_corners
 
@@ -109,15 +117,19 @@ def measure(found, seconds):
     found.data.polygons.foreach_get("area", areas)
     measures, certificate = abf.measure(mesh.vertices, mesh.polygons, uv), abf.certify(mesh.vertices, mesh.polygons, uv)
     return [
-        f"{len(islands):,}",
-        f"{lengths[has_two_faces].sum() / math.sqrt(areas.sum()):.1f}",
-        f"{math.degrees(measures['mean_angle_change']):.2f}°",
-        f"{measures['l2_stretch']:.3f}",
-        f"{len(certificate.flipped):,}",
-        f"{len(certificate.overlapping):,}",
-        f"{100 * sum(np.abs(each.signed_areas(uv[each.corners])).sum() for each in islands):.0f} %",
-        f"{seconds:.2f}",
+        len(islands),
+        lengths[has_two_faces].sum() / math.sqrt(areas.sum()),
+        math.degrees(measures["mean_angle_change"]),
+        measures["l2_stretch"],
+        len(certificate.flipped),
+        len(certificate.overlapping),
+        100 * sum(np.abs(each.signed_areas(uv[each.corners])).sum() for each in islands),
+        seconds,
     ]
+
+
+def cells_of(numbers):
+    return [form.format(number) for form, number in zip(COLUMNS.values(), numbers)]
 
 
 def compare(name, folder):
@@ -125,18 +137,31 @@ def compare(name, folder):
     found, rows = add_model(name, folder), []
     for operator, run in OPERATORS.items():
         bpy.ops.object.mode_set(mode="EDIT")
-        begin = time.perf_counter()
-        failure = None
+        begin, failure = time.perf_counter(), None
         try:
             run()
         except RuntimeError as error:
-            failure = str(error).splitlines()[0]
+            failure = str(error).splitlines()[0].split(";")[0]
         seconds = time.perf_counter() - begin
         bpy.ops.object.mode_set(mode="OBJECT")
-        cells = measure(found, seconds) if failure is None else [failure]
-        rows.append([name, f"{len(found.data.polygons):,}", operator, *cells])
+        numbers = measure(found, seconds) if failure is None else None
+        rows.append(([name, f"{len(found.data.polygons):,}", operator], numbers, failure))
         print(rows[-1], file=sys.stderr, flush=True)
     return rows
+
+
+def summary(rows):
+    """A row for each operator: sums of counts and seconds, and means of the rest, over the models that it has done."""
+    table_rows = []
+    for operator in OPERATORS:
+        numbers = [numbers for cells, numbers, _ in rows if cells[2] == operator and numbers is not None]
+        failures = sum(cells[2] == operator and numbers is None for cells, numbers, _ in rows)
+        if numbers:
+            sums, means = np.sum(numbers, axis=0), np.mean(numbers, axis=0)
+            whole = [sums[k] if title in ("islands", "flips", "overlaps", "seconds") else means[k]
+                     for k, title in enumerate(COLUMNS)]
+            table_rows.append([operator, *cells_of(whole), f"{failures}"])
+    return table(["operator", *COLUMNS, "refused"], table_rows)
 
 
 def overhead(mode, squares=316, repeat=5):
@@ -179,7 +204,7 @@ def many_islands(columns=50, rows=40):
         seconds = time.perf_counter() - begin
         bpy.ops.object.mode_set(mode="OBJECT")
         covered = measure(found, seconds)[-2]
-        print(f"{columns * rows:,} islands, {name}: {seconds:.2f} s, {covered} covered")
+        print(f"{columns * rows:,} islands, {name}: {seconds:.2f} s, {covered:.0f} % covered")
 
 
 def main():
@@ -190,9 +215,11 @@ def main():
     parser.add_argument("--only", default=",".join(MODELS), metavar="NAME,...")
     options = parser.parse_args(sys.argv[sys.argv.index("--") + 1 :])
     names = [name for name in options.only.split(",") if options.demo or name == "suzanne"]
-    rows = [cells for name in names for cells in compare(name, options.demo)]
+    rows = [row for name in names for row in compare(name, options.demo)]
     print(f"Blender {bpy.app.version_string}\n")
-    print(table(TITLES, rows, 3))
+    all_cells = [[*cells, *([failure] if numbers is None else cells_of(numbers))] for cells, numbers, failure in rows]
+    print(table(["model", "faces", "operator", *COLUMNS], all_cells, 3))
+    print(summary(rows))
     many_islands()
     for mode in ("OBJECT", "EDIT"):
         faces, seconds = overhead(mode)

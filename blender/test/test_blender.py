@@ -4,6 +4,7 @@
 blender --background --factory-startup --python test_blender.py -- ADD-ON [FOLDER]"""
 
 import os
+import subprocess
 import sys
 import unittest
 from pathlib import Path
@@ -45,6 +46,18 @@ class InBlender(unittest.TestCase):
         with self.assertRaisesRegex(RuntimeError, expected):
             operator(**options)
         self.assertEqual(coordinates_of(objects), before)
+
+
+class Extension(unittest.TestCase):
+    @unittest.skipIf(bpy.app.version < (4, 2), "Blender has had extensions since 4.2")
+    def test_blender_accepts_the_zip_file(self):
+        """By its own rules for extensions."""
+        addon = Path(sys.argv[sys.argv.index("--") + 1])
+        if addon.suffix != ".zip":
+            self.skipTest("the add-on is a folder")
+        rules = Path(bpy.utils.system_resource("SCRIPTS")) / "addons_core/bl_pkg/cli/blender_ext.py"
+        checked = subprocess.run([sys.executable, rules, "validate", addon], capture_output=True, text=True)
+        self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
 
 
 class Certificates(InBlender):
