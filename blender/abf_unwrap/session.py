@@ -50,6 +50,8 @@ class Session:
                 raise BadInput("No mesh is selected")
             self.objects = [each.name for each in found]
             self.meshes = [read_mesh(each, self.selection) for each in found]
+            if not any(arrays.chosen.any() for arrays in self.meshes):
+                raise BadInput("No face is selected" + (" in the UV editor" if self.selection == "UV" else ""))
         except BadInput as error:
             for each, faces in error.faces:
                 select_faces(each.data, faces)

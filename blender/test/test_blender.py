@@ -455,6 +455,16 @@ class Selection(InBlender):
                 leave()
                 self.assert_moved(patch, before, (np.arange(40) < 16) | sync)
 
+    def test_nothing_in_the_uv_editor(self):
+        patch = scenes.add_patch(is_planar=True)
+        select_faces(patch, np.ones(40))
+        self.tool_settings.use_uv_select_sync = False
+        edit()
+        with scenes.uv_editor():
+            scenes.select_in_uv_editor(patch, np.zeros(40))
+            for name in ("abf_unwrap", "abf_pack", "abf_set_density", "abf_select_faults"):
+                self.assert_fails(getattr(bpy.ops.uv, name), "No face is selected in the UV editor", patch)
+
     def test_without_sync_in_the_3d_viewport(self):
         patch = scenes.add_patch(is_planar=True)
         select_faces(patch, np.ones(40))
