@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Angle_based_flattening authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the picture of the manual that compares maps: Blender's monkey with a texture, and its islands below, coloured by
-their change of areas. In bpy from PyPI: python draw_comparison.py -- ADD-ON PICTURE.png"""
+"""Draws the picture of the manual that compares maps: Blender's monkey with a texture, and its islands below,
+coloured by their change of areas. In bpy from PyPI: python draw_comparison.py -- ADD-ON PICTURE.png"""
 
 import sys
 from pathlib import Path

@@ -88,7 +88,7 @@ def pack():
     with_known(bpy.ops.uv.pack_islands, margin=MARGIN, margin_method="FRACTION", shape_method="CONCAVE")
 
 
-# The first marks the seams that all but Smart UV Project unwrap along. The last two pack the islands of the one before.
+# The first marks the seams that all but Smart UV Project unwrap along. The last two pack the islands before them.
 OPERATORS = {
     "Auto Seams and Unwrap": lambda: bpy.ops.uv.abf_auto_seams(),
     "Unwrap (ABF++)": lambda: bpy.ops.uv.abf_unwrap(),
@@ -111,7 +111,8 @@ def measure(found, seconds):
     uv = mesh.uv.astype(float)
     lengths = np.linalg.norm(np.diff(mesh.vertices[mesh.edges].astype(float), axis=1)[:, 0], axis=1)
     has_two_faces = np.bincount(mesh.corner_edges, minlength=len(mesh.edges)) >= 2
-    islands, joined = islands_of(mesh, by_uv=True), joined_corners(mesh, by_uv=True)  # at the begin of each edge, and then at the end of each
+    islands = islands_of(mesh, by_uv=True)
+    joined = joined_corners(mesh, by_uv=True)  # at the begin of each edge, and then at the end of each
     has_two_faces[mesh.corner_edges[joined[: len(joined) // 2, 0]]] = False
     areas = np.empty(len(found.data.polygons))
     found.data.polygons.foreach_get("area", areas)
@@ -192,7 +193,8 @@ def many_islands(columns=50, rows=40):
     vertices, faces = [], []
     for k in range(columns * rows):
         width, height = random.uniform(0.1, 1, 2)
-        vertices += [(x + k % columns, y + k // columns, 0) for x, y in ((0, 0), (width, 0), (width, height), (0, height))]
+        corners = ((0, 0), (width, 0), (width, height), (0, height))
+        vertices += [(x + k % columns, y + k // columns, 0) for x, y in corners]
         faces.append(range(4 * k, 4 * k + 4))
     found = scenes.add("islands", vertices, faces, uv=np.array(vertices)[:, :2])
     scenes.select_faces(found, np.ones(len(faces)))

@@ -80,7 +80,9 @@ def make_atlas(
     except abf.MeshError as error:
         mesh = used[error.mesh]
         number = next(k for k, each in enumerate(meshes) if each is mesh)
-        raise BadInput(with_names(error.message, used), [(number, faces_of(error, mesh))]) from error
+        text = with_names(error.message, used)
+        text = text if mesh.name in text else f"{mesh.name}: {text}"
+        raise BadInput(text, [(number, faces_of(error, mesh))]) from error
     except ValueError as error:
         seam = re.search(r"(?:'mesh (\d+)': )?marked_seams\[(\d+)\]", str(error))
         if seam is None:

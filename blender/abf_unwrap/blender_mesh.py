@@ -23,7 +23,7 @@ def values(collection: Any, name: str, kind: Any, width: int = 1) -> np.ndarray:
     return array.reshape(-1, width) if width > 1 else array
 
 
-# A property of elements, and the attribute that has it from Blender 4.2 on. Attributes are read many times as fast.
+# A property of elements, and the attribute that has it from Blender 4.2 on, which is read many times as fast.
 ATTRIBUTES = {
     ("vertices", "co"): ("position", "vector"),
     ("loops", "vertex_index"): (".corner_vert", "value"),
@@ -91,8 +91,8 @@ def mesh_objects(context: bpy.types.Context) -> list[bpy.types.Object]:
 
 
 def selection_of(context: bpy.types.Context) -> str:
-    """Which faces take part, as Blender's own operators have it: in edit mode, those that are selected in the mesh, or
-    in the UV editor without sync, those that are also selected there."""
+    """Which faces take part, as Blender's own operators have it: in edit mode, those that are selected in the
+    mesh, or in the UV editor without sync, those that are also selected there."""
     if context.mode != "EDIT_MESH":
         return "ALL"
     in_uv_editor = context.area is not None and context.area.type == "IMAGE_EDITOR"
@@ -184,8 +184,8 @@ def write_result(mesh: bpy.types.Mesh, layer: bpy.types.MeshUVLoopLayer, result:
 
 
 def write_flags(mesh: bpy.types.Mesh, elements: str, name: str, attribute: str, flags: np.ndarray) -> None:
-    """A flag of all vertices, edges, faces or corners, which is an attribute from Blender 5.0 on. It is made anew
-    there: if it had the same value everywhere, which is kept once, Blender 5.0 ends as it writes others."""
+    """A flag of all vertices, edges, faces or corners, which is an attribute from Blender 5.0 on. It is made
+    anew there: if it had one value everywhere, which is kept once, Blender 5.0 ends as it writes others."""
     if bpy.app.version < (5, 0):
         collection = mesh.uv_layers.active.data if elements == "loops" else getattr(mesh, elements)
         collection.foreach_set(name, flags)

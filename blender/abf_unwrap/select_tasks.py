@@ -37,10 +37,10 @@ def select(meshes: list[MeshArrays], what: set[str], largest: float, progress: P
     if not any(mesh.chosen.any() for mesh in meshes):
         raise BadInput("No face is selected")
     results, counts = [], dict.fromkeys(("OVERLAPPING", "FLIPPED", "STRETCHED"), 0)
-    for mesh in meshes:
+    for number, mesh in enumerate(meshes):
         found = {}
         if mesh.chosen.any() and what & {"FLIPPED", "OVERLAPPING"}:
-            found["FLIPPED"], found["OVERLAPPING"] = flipped_and_overlapping(mesh)
+            found["FLIPPED"], found["OVERLAPPING"] = flipped_and_overlapping(mesh, number)
         if mesh.chosen.any() and "STRETCHED" in what:
             found["STRETCHED"] = stretched_faces(mesh, largest)
         found = {name: faces for name, faces in found.items() if name in what}
@@ -48,5 +48,5 @@ def select(meshes: list[MeshArrays], what: set[str], largest: float, progress: P
             counts[name] += len(faces)
         empty = np.zeros(0, np.int64)
         results.append(MeshResult(None, selected=np.unique(np.concatenate([empty, *found.values()]))))
-    text = ", ".join(f"{number} {name.lower()}" for name, number in counts.items() if name in what)
+    text = ", ".join(f"{count} {name.lower()}" for name, count in counts.items() if name in what)
     return TaskResult(results, f"Selected faces: {text}")

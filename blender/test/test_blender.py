@@ -3,6 +3,7 @@
 """The add-on in Blender, on generated meshes:
 blender --background --factory-startup --python test_blender.py -- ADD-ON [FOLDER]"""
 
+import contextlib
 import os
 import subprocess
 import sys
@@ -28,8 +29,8 @@ def faults_of(*objects):
 
 
 def coordinates_of(objects):
-    """The coordinates of each object, to be compared, without the signs of zeros: Blender 5 changes these when edit mode
-    begins or ends."""
+    """The coordinates of each object, to be compared, without the signs of zeros: Blender 5 changes these when
+    edit mode begins or ends."""
     return [(uv_of(each) + np.float32(0)).tobytes() if each.data.uv_layers else None for each in objects]
 
 
@@ -665,6 +666,14 @@ class BadInput(InBlender):
             self.assert_fails(getattr(bpy.ops.uv, name), "patch: face 39 .*not finite", patch)
             self.assertEqual(selected_faces(patch).tolist(), [39])
 
+    def test_faces_that_are_oriented_differently(self):
+        faces = scenes.grid_faces(8, 5)
+        faces[20].reverse()
+        points = [(x, y, 0) for y in range(6) for x in range(9)]
+        patch = scenes.add("patch", points, faces, uv=[points[v][:2] for face in faces for v in face])
+        self.assert_fails(bpy.ops.uv.abf_select_faults, "patch: faces .* are oriented differently", patch)
+        self.assertIn(20, selected_faces(patch))
+
     def test_a_seam_at_a_broken_face(self):
         """The second face has no area."""
         vertices = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (5, 5, 5), (6, 5, 5), (7, 5, 5)]
@@ -690,9 +699,10 @@ class BadInput(InBlender):
 
     def test_dirty_meshes(self):
         """Operators end, in the mode in which they began. What they refuse stays as it is, with a reason."""
-        operators = ("abf_unwrap", "abf_auto_seams", "abf_unfold", "abf_pack", "abf_straighten", "abf_show_stretch")
+        operators = [name for name in dir(bpy.ops.uv) if name.startswith("abf_")]
+        self.assertEqual(len(operators), 9)
         refused = 0
-        for seed in range(60):
+        for seed in range(90):
             with self.subTest(seed=seed):
                 random = np.random.default_rng(seed)
                 scenes.clear()
@@ -703,13 +713,15 @@ class BadInput(InBlender):
                     edit()
                 mode = bpy.context.mode
                 try:
-                    getattr(bpy.ops.uv, operators[seed % 6])()
+                    with scenes.uv_editor() if seed % 2 else contextlib.nullcontext():
+                        getattr(bpy.ops.uv, operators[seed % 9])()
                 except RuntimeError as error:
                     refused += 1
                     self.assertNotIn("Traceback", str(error))
+                    self.assertIn("dirty", str(error).replace("No face", "dirty"))
                     self.assertEqual(coordinates_of(objects), before)
                 self.assertEqual(bpy.context.mode, mode)
-        self.assertTrue(10 < refused < 50, refused)
+        self.assertTrue(20 < refused < 70, refused)
 
     def test_no_faces(self):
         self.assert_fails(bpy.ops.uv.abf_unwrap, "points has no faces", scenes.add("points", [(0, 0, 0)], []))
