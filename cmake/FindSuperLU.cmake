@@ -57,7 +57,9 @@ if(SuperLU_FOUND AND NOT TARGET SuperLU::SuperLU)
     # a static library does not bring its BLAS along
     if(SuperLU_LIBRARY MATCHES "\\.(a|lib)$")
       find_package(BLAS QUIET)
-      list(APPEND _superlu_libraries ${BLAS_LIBRARIES})
+      if(BLAS_FOUND) # otherwise, what SuperLU calls of it is inside
+        list(APPEND _superlu_libraries ${BLAS_LIBRARIES})
+      endif()
     endif()
     set_target_properties(SuperLU::SuperLU PROPERTIES INTERFACE_LINK_LIBRARIES "${_superlu_libraries}")
     unset(_superlu_libraries)

@@ -69,6 +69,18 @@ count_processor_seconds() {
   rm "$file"
 }
 
+# Sets `wheel_python` to a Python with what packs and checks wheels.
+install_wheel_tools() {
+  local tools=$build/wheel_tools
+  wheel_python=$tools/bin/python
+  if ! cmp -s "$root/python/requirements.txt" "$tools/requirements.txt"; then
+    rm -rf "$tools"
+    quietly "$build/wheel_tools.log" /usr/bin/python3 -m venv "$tools"
+    quietly "$build/wheel_tools.log" "$tools/bin/pip" install --disable-pip-version-check -r "$root/python/requirements.txt"
+    cp "$root/python/requirements.txt" "$tools" # at last, so that what is half installed is installed again
+  fi
+}
+
 run_tests() { # DIR [CTEST_OPTION...]
   local dir=$1
   shift

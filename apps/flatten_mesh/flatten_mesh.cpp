@@ -6,86 +6,15 @@
 // Makes a texture atlas of the surface in a file: `flatten_mesh scan.ply --output atlas.obj --picture atlas.png`. See
 // `--help`.
 
-#include "flatten_mesh/Command_line.h"
-#include "flatten_mesh/Exit_status.h"
-#include "flatten_mesh/Failure.h"
-#include "flatten_mesh/Output_file.h"
-#include "flatten_mesh/Unfinished_files.h"
-#include "flatten_mesh/batch/run_batch.h"
-#include "flatten_mesh/batch/summarize_reports.h"
-#include "flatten_mesh/help_text.h"
-#include "flatten_mesh/parse_command_line.h"
-#include "flatten_mesh/atlas/run_atlas.h"
-#include "flatten_mesh/parts/check_parts.h"
-#include "flatten_mesh/plain/run_plain.h"
-#include "flatten_mesh/process_memory.h"
-
-#include <CGAL/assertions.h>
-#include <CGAL/assertions_behaviour.h>
+#include "flatten_mesh/run_program.h"
 
 #include <cstdlib>
-#include <iostream>
-
-namespace flatten_mesh {
-
-namespace {
-
-// If memory runs out, threads of OpenBLAS wait for more forever, and a regular exit of the process would wait for
-// these threads.
-[[noreturn]] void end(const Exit_status status)
-{
-  std::cout.flush();
-  std::cerr.flush();
-  std::_Exit(status);
-}
-
-Exit_status run(const Command_line& command)
-{
-  try {
-    return command.is_plain ? run_plain(command) : run_atlas(command);
-  } catch(...) {
-    return tell_failure(command, current_failure());
-  }
-}
-
-Exit_status understand_and_run(const int argc, char* argv[])
-{
-  Command_line command;
-  try {
-    parse_command_line(argc, argv, command);
-    if(command.help || command.version) {
-      Output_file(standard_output).write(command.help ? help_text() : version_text());
-      return SUCCESS;
-    }
-    check_parts(command);
-  } catch(...) {
-    return tell_failure(command, current_failure());
-  }
-  try {
-    if(!command.batch.summary.empty()) {
-      return summarize_reports(command);
-    }
-    return needs_processes(command) ? run_batch(command, run) : run(command);
-  } catch(...) {
-    return tell_failure(command, current_failure());
-  }
-}
-
-} // namespace
-
-} // namespace flatten_mesh
 
 int main(int argc, char* argv[])
 {
-  using namespace flatten_mesh;
-  // Failed assertions in debug builds throw. The catch below reports them in one line.
-  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
-  CGAL::set_warning_handler([](const char*, const char*, const char*, int, const char*) {});
-  keep_freed_memory();
-  Unfinished_files::remove_when_interrupted();
-  const Exit_status status = understand_and_run(argc, argv);
-  if(status != SUCCESS) { // memory may have run out for one of several inputs
-    end(status);
+  const flatten_mesh::Exit_status status = flatten_mesh::run_program(argc, argv);
+  if(status != flatten_mesh::SUCCESS) { // memory may have run out for one of several inputs
+    std::_Exit(status);
   }
   return status;
 }

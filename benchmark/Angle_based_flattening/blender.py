@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Compares the operators of Blender with those of our add-on, and measures what the add-on takes beside the module:
 blender --background --factory-startup --python blender.py -- ADD-ON [MODULE] [--demo FOLDER] [--only NAME,...]
+or, in bpy from PyPI, python blender.py -- ADD-ON ...
 ADD-ON is the zip file, or the folder of the sources; then MODULE is the folder of the Python module."""
 
 import argparse
@@ -20,8 +21,18 @@ import scenes
 from addon import install
 from report import table
 
+MODELS = ["suzanne", "bones", "elephant", "cow", "homer", "fandisk", "lion-head", "camel", "bear", "armadillo"]
 MARGIN = 4 / 1024  # between islands, of the square: as ours by default
-TITLES = ["model", "faces", "operator", "islands", "seams", "angle change", "stretch", "flips", "overlaps", "seconds"]
+COLUMNS = {  # the title of a number, and its format
+    "islands": "{:,.0f}",
+    "seams": "{:.1f}",
+    "angle change": "{:.2f}°",
+    "stretch": "{:.3f}",
+    "flips": "{:,.0f}",
+    "overlaps": "{:,.0f}",
+    "covered": "{:.0f} %",
+    "seconds": "{:.2f}",
+}
 
 
 def read_off(file):
@@ -46,55 +57,80 @@ def add_model(name, folder):
     return bpy.context.object
 
 
-def unwrap():
-    bpy.ops.uv.unwrap(method="ANGLE_BASED", margin=MARGIN)
+def with_known(operator, **options):
+    """Calls an operator with those of the options that this version of Blender has."""
+    known = operator.get_rna_type().properties
+    return operator(**{name: value for name, value in options.items() if name in known})
 
 
-def minimize_stretch():
-    """Blender's way to little stretch: a method of its own from 4.3 on, before that an operator."""
+def unwrap(method):
+    with_known(bpy.ops.uv.unwrap, method=method, margin=MARGIN, margin_method="FRACTION")
+
+
+def minimum_stretch():
+    """A method from Blender 4.3 on, and an operator before that."""
     methods = bpy.ops.uv.unwrap.get_rna_type().properties["method"].enum_items.keys()
     if "MINIMUM_STRETCH" in methods:
-        bpy.ops.uv.unwrap(method="MINIMUM_STRETCH", margin=MARGIN)
+        unwrap("MINIMUM_STRETCH")
     else:
-        bpy.ops.uv.unwrap(method="ANGLE_BASED", margin=MARGIN)
+        unwrap("ANGLE_BASED")
         bpy.ops.uv.minimize_stretch(iterations=100)
-        bpy.ops.uv.pack_islands(margin=MARGIN)
+        pack()
 
 
-# The first marks the seams that all but the last unwrap along.
+def smart_project():
+    with_known(
+        bpy.ops.uv.smart_project, angle_limit=math.radians(66), island_margin=MARGIN, margin_method="FRACTION"
+    )
+
+
+def pack():
+    with_known(bpy.ops.uv.pack_islands, margin=MARGIN, margin_method="FRACTION", shape_method="CONCAVE")
+
+
+# The first marks the seams that all but Smart UV Project unwrap along. The last two pack the islands before them.
 OPERATORS = {
     "Auto Seams and Unwrap": lambda: bpy.ops.uv.abf_auto_seams(),
-    "Unwrap (ABF++), these seams": lambda: bpy.ops.uv.abf_unwrap(),
-    "Unwrap (ABF++) for angles, these seams": lambda: bpy.ops.uv.abf_unwrap(purpose="conformal"),
-    "Blender: Unwrap, these seams": unwrap,
-    "Blender: Minimize Stretch, these seams": minimize_stretch,
-    "Blender: Smart UV Project": lambda: bpy.ops.uv.smart_project(angle_limit=math.radians(66), island_margin=MARGIN),
+    "Unwrap (ABF++)": lambda: bpy.ops.uv.abf_unwrap(),
+    "Unwrap (ABF++) for angles": lambda: bpy.ops.uv.abf_unwrap(purpose="conformal"),
+    "*Smart UV Project*": smart_project,
+    "*Minimum Stretch*": minimum_stretch,
+    "*Conformal*": lambda: unwrap("CONFORMAL"),
+    "*Angle Based*": lambda: unwrap("ANGLE_BASED"),
+    "*Pack Islands*": pack,
+    "Pack (Certified)": lambda: bpy.ops.uv.abf_pack(),
 }
 
 
 def measure(found, seconds):
-    """The cells of a row."""
+    """The numbers of a row."""
     from abf_unwrap.blender_mesh import read_mesh
     from abf_unwrap.islands import islands_of, joined_corners
 
-    mesh = read_mesh(found, False)
+    mesh = read_mesh(found, "ALL")
     uv = mesh.uv.astype(float)
     lengths = np.linalg.norm(np.diff(mesh.vertices[mesh.edges].astype(float), axis=1)[:, 0], axis=1)
     has_two_faces = np.bincount(mesh.corner_edges, minlength=len(mesh.edges)) >= 2
+    islands = islands_of(mesh, by_uv=True)
     joined = joined_corners(mesh, by_uv=True)  # at the begin of each edge, and then at the end of each
     has_two_faces[mesh.corner_edges[joined[: len(joined) // 2, 0]]] = False
     areas = np.empty(len(found.data.polygons))
     found.data.polygons.foreach_get("area", areas)
     measures, certificate = abf.measure(mesh.vertices, mesh.polygons, uv), abf.certify(mesh.vertices, mesh.polygons, uv)
     return [
-        f"{len(islands_of(mesh, by_uv=True)):,}",
-        f"{lengths[has_two_faces].sum() / math.sqrt(areas.sum()):.1f}",
-        f"{math.degrees(measures['mean_angle_change']):.2f}°",
-        f"{measures['l2_stretch']:.3f}",
-        f"{len(certificate.flipped):,}",
-        f"{len(certificate.overlapping):,}",
-        f"{seconds:.2f}",
+        len(islands),
+        lengths[has_two_faces].sum() / math.sqrt(areas.sum()),
+        math.degrees(measures["mean_angle_change"]),
+        measures["l2_stretch"],
+        len(certificate.flipped),
+        len(certificate.overlapping),
+        100 * sum(np.abs(each.signed_areas(uv[each.corners])).sum() for each in islands),
+        seconds,
     ]
+
+
+def cells_of(numbers):
+    return [form.format(number) for form, number in zip(COLUMNS.values(), numbers)]
 
 
 def compare(name, folder):
@@ -102,13 +138,31 @@ def compare(name, folder):
     found, rows = add_model(name, folder), []
     for operator, run in OPERATORS.items():
         bpy.ops.object.mode_set(mode="EDIT")
-        begin = time.perf_counter()
-        run()
+        begin, failure = time.perf_counter(), None
+        try:
+            run()
+        except RuntimeError as error:
+            failure = str(error).splitlines()[0].split(";")[0]
         seconds = time.perf_counter() - begin
         bpy.ops.object.mode_set(mode="OBJECT")
-        rows.append([name, f"{len(found.data.polygons):,}", operator, *measure(found, seconds)])
+        numbers = measure(found, seconds) if failure is None else None
+        rows.append(([name, f"{len(found.data.polygons):,}", operator], numbers, failure))
         print(rows[-1], file=sys.stderr, flush=True)
     return rows
+
+
+def summary(rows):
+    """A row for each operator: sums of counts and seconds, and means of the rest, over the models that it has done."""
+    table_rows = []
+    for operator in OPERATORS:
+        numbers = [numbers for cells, numbers, _ in rows if cells[2] == operator and numbers is not None]
+        failures = sum(cells[2] == operator and numbers is None for cells, numbers, _ in rows)
+        if numbers:
+            sums, means = np.sum(numbers, axis=0), np.mean(numbers, axis=0)
+            whole = [sums[k] if title in ("islands", "flips", "overlaps", "seconds") else means[k]
+                     for k, title in enumerate(COLUMNS)]
+            table_rows.append([operator, *cells_of(whole), f"{failures}"])
+    return table(["operator", *COLUMNS, "refused"], table_rows)
 
 
 def overhead(mode, squares=316, repeat=5):
@@ -132,17 +186,43 @@ def overhead(mode, squares=316, repeat=5):
     return mesh.number_of_faces, min(times)
 
 
+def many_islands(columns=50, rows=40):
+    """The seconds that Blender's packer and ours take for many islands of various sizes."""
+    scenes.clear()
+    random = np.random.default_rng(1)
+    vertices, faces = [], []
+    for k in range(columns * rows):
+        width, height = random.uniform(0.1, 1, 2)
+        corners = ((0, 0), (width, 0), (width, height), (0, height))
+        vertices += [(x + k % columns, y + k // columns, 0) for x, y in corners]
+        faces.append(range(4 * k, 4 * k + 4))
+    found = scenes.add("islands", vertices, faces, uv=np.array(vertices)[:, :2])
+    scenes.select_faces(found, np.ones(len(faces)))
+    bpy.context.tool_settings.use_uv_select_sync = True
+    for name in ("*Pack Islands*", "Pack (Certified)"):
+        bpy.ops.object.mode_set(mode="EDIT")
+        begin = time.perf_counter()
+        OPERATORS[name]()
+        seconds = time.perf_counter() - begin
+        bpy.ops.object.mode_set(mode="OBJECT")
+        covered = measure(found, seconds)[-2]
+        print(f"{columns * rows:,} islands, {name}: {seconds:.2f} s, {covered:.0f} % covered")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("addon")
     parser.add_argument("module", nargs="?")
     parser.add_argument("--demo", type=Path, metavar="FOLDER", help="with the meshes of CGAL's demo")
-    parser.add_argument("--only", default="suzanne,cow,fandisk,camel,armadillo", metavar="NAME,...")
+    parser.add_argument("--only", default=",".join(MODELS), metavar="NAME,...")
     options = parser.parse_args(sys.argv[sys.argv.index("--") + 1 :])
     names = [name for name in options.only.split(",") if options.demo or name == "suzanne"]
-    rows = [cells for name in names for cells in compare(name, options.demo)]
+    rows = [row for name in names for row in compare(name, options.demo)]
     print(f"Blender {bpy.app.version_string}\n")
-    print(table(TITLES, rows, 3))
+    all_cells = [[*cells, *([failure] if numbers is None else cells_of(numbers))] for cells, numbers, failure in rows]
+    print(table(["model", "faces", "operator", *COLUMNS], all_cells, 3))
+    print(summary(rows))
+    many_islands()
     for mode in ("OBJECT", "EDIT"):
         faces, seconds = overhead(mode)
         print(f"{faces:,} quads in {mode.lower()} mode: {seconds:.3f} s beside the module")

@@ -23,10 +23,11 @@ import angle_based_flattening as abf  # noqa: E402
 import numpy as np  # noqa: E402
 
 import isosurfaces  # noqa: E402
-import parametrize  # noqa: E402
+from evaluator import least_connected  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.append(str(ROOT / "test/python"))
+sys.path += [str(ROOT / "test/python"), str(ROOT / "examples/Angle_based_flattening/python")]
+import mesh_files  # noqa: E402
 import meshes  # noqa: E402
 import program  # noqa: E402
 
@@ -95,7 +96,7 @@ def model(seed, demo):
     """The model of a seed, and what was done to it"""
     random = np.random.default_rng(seed)
     if demo and random.random() < .3:
-        vertices, faces = parametrize.read_off(demo[random.integers(len(demo))])
+        vertices, faces = mesh_files.read(demo[random.integers(len(demo))])
     else:
         vertices, faces = generated(random, seed)
     done = []
@@ -145,7 +146,7 @@ def fans_of(faces):
     ends = ends[np.lexsort((ends[:, 1], ends[:, 0]))]
     joined = np.flatnonzero((ends[1:, :2] == ends[:-1, :2]).all(axis=1))
     pairs = np.concatenate([np.column_stack([ends[joined, k], ends[joined + 1, k]]) for k in (2, 3)])
-    return parametrize.least_connected(faces.size, pairs).reshape(-1, 3)
+    return least_connected(faces.size, pairs).reshape(-1, 3)
 
 
 def has_wrong_map(file):

@@ -12,6 +12,13 @@ TEXELS = 1024
 SLIM_STEPS = 30
 
 
+def of_module(vertices, faces):
+    import angle_based_flattening as abf
+    begin = time.process_time()
+    _, indices, uvs = abf.parametrize(vertices, faces, threads=1)
+    return uvs[indices], (1, 1), begin
+
+
 def of_xatlas(vertices, faces):
     import xatlas
     begin = time.process_time()
@@ -102,7 +109,7 @@ def of_libigl(method, vertices, faces, sizes):
     return corners, (1, 1), begin
 
 
-TOOLS = {"xatlas": of_xatlas, "uvunwrap": of_uvunwrap, "geotex": of_geotex, "open3d": of_open3d,
+TOOLS = {"module": of_module, "xatlas": of_xatlas, "uvunwrap": of_uvunwrap, "geotex": of_geotex, "open3d": of_open3d,
          "lscm": lambda *mesh: of_libigl(lscm, *mesh), "arap": lambda *mesh: of_libigl(arap, *mesh),
          "slim": lambda *mesh: of_libigl(slim, *mesh)}
 

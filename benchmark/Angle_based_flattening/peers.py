@@ -4,7 +4,7 @@
 """Compares flatten_mesh with other programs that make atlases, and with other maps of its charts: peers.py FLATTEN_MESH
 FOLDER MESH... The folder gets an environment with the libraries, and all results. Each run is a process of its own,
 with limits of time and memory. It is repeated to see whether its results have the same bits. evaluator.py measures
-all."""
+all. With --only, only the named atlases are made: "module" is parametrize() of the Python module, in PYTHONPATH."""
 
 import argparse
 import json
@@ -25,8 +25,8 @@ import program  # noqa: E402
 PACKAGES = {"numpy": "numpy==2.4.6", "scipy": "scipy==1.17.1", "xatlas": "xatlas==0.0.11",
             "uvunwrap": "uvunwrap==0.3.0", "geotex": "geotex==0.1.3", "open3d": "open3d-cpu==0.20.0",
             "igl": "libigl==2.6.3"}
-ATLASES = {"ours": "flatten_mesh", "xatlas": "xatlas 0.0.11", "uvunwrap": "uvunwrap 0.3.0", "geotex": "geotex 0.1.3",
-           "open3d": "Open3D 0.20.0, UVAtlas"}
+ATLASES = {"ours": "flatten_mesh", "module": "parametrize()", "xatlas": "xatlas 0.0.11",
+           "uvunwrap": "uvunwrap 0.3.0", "geotex": "geotex 0.1.3", "open3d": "Open3D 0.20.0, UVAtlas"}
 MAPS = {"ours": "flatten_mesh, with these seams", "lscm": "libigl 2.6.3, LSCM", "arap": "libigl 2.6.3, ARAP",
         "slim": "libigl 2.6.3, SLIM", "cgal-lscm": "CGAL, LSCM", "cgal-arap": "CGAL, ARAP"}
 FAULTS = [("flipped", "flipped", ",.0f"), ("no area", "unmapped", ",.0f"), ("overlaps", "within", ",.0f")]
@@ -132,9 +132,12 @@ def measured(what, columns, run, *arguments):
 def rows_of(options, mesh):
     """Of both tables"""
     name, charts = f"{mesh.stem}, {len(surface(mesh)[1]):,}", mesh.with_name(f"{mesh.stem}-charts.npz")
-    row, ours = measured((name, ATLASES["ours"]), OF_ATLASES, of_program, options, mesh.with_suffix(".obj"))
-    atlases = [row] + [measured((name, title), OF_ATLASES, of_library, options, tool, mesh)[0]
-                       for tool, title in ATLASES.items() if tool != "ours"]
+    atlases, ours = [], None
+    for tool in options.only:
+        run = (of_program, options, mesh.with_suffix(".obj")) if tool == "ours" else (of_library, options, tool, mesh)
+        row, atlas = measured((name, ATLASES[tool]), OF_ATLASES, *run)
+        atlases.append(row)
+        ours = atlas if tool == "ours" else ours
     if not ours:
         return atlases, []
     name += f"; {write_charts(*ours, charts)} charts"
@@ -154,10 +157,12 @@ def install(options):
     if not options.python.is_file():
         subprocess.run([sys.executable, "-m", "venv", options.folder / "environment"], check=True)
     for module, package in PACKAGES.items():
+        if module in ATLASES and module not in options.only:
+            continue
         if subprocess.run([options.python, "-c", f"import {module}"], stderr=subprocess.DEVNULL,
                           check=False).returncode:
             subprocess.run([options.python, "-m", "pip", "install", "--quiet", package], check=False)
-    if not (options.folder / "cgal_maps").is_file():
+    if "ours" in options.only and not (options.folder / "cgal_maps").is_file():
         subprocess.run(["g++", "-O2", "-DNDEBUG", "-std=c++17", "-DCGAL_EIGEN3_ENABLED", "-isystem",
                         "/usr/include/eigen3", HERE / "methods/cgal_maps.cpp", "-o", options.folder / "cgal_maps",
                         "-lgmp", "-lmpfr"], check=False)
@@ -171,6 +176,8 @@ def main():
                         help="OFF, OBJ, PLY or STL, of triangles; by default a sea shell")
     parser.add_argument("--seconds", type=float, default=600, help="of processor time of a run (%(default)s)")
     parser.add_argument("--gigabytes", type=float, default=8, help="of memory of a run (%(default)s)")
+    parser.add_argument("--only", type=lambda names: names.split(","), metavar="NAME,...",
+                        default=[name for name in ATLASES if name != "module"], help="of " + ", ".join(ATLASES))
     options = parser.parse_args()
     install(options)
     atlases, maps = [], []
@@ -181,6 +188,8 @@ def main():
         for rows, more in zip((atlases, maps), rows_of(options, mesh)):
             rows += more
     for title, columns, rows in (("Atlases", OF_ATLASES, atlases), ("Maps of the same charts", OF_MAPS, maps)):
+        if not rows:
+            continue
         titles = ["mesh, triangles", "program", "CPU s", "MB", *(title for title, _, _ in columns), "same bits"]
         print(f"### {title}\n\n{table(titles, rows, 2)}")
 

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # Copyright (c) 2026 The Angle_based_flattening authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures what the Python module adds to the time of the program, what two Python threads gain, and how many small
-models Dask flattens: python_module.py --program FLATTEN_MESH, with the module in PYTHONPATH."""
+"""Measures what the Python module adds to the time of the program, and what two Python threads gain: python_module.py
+--program FLATTEN_MESH, with the module in PYTHONPATH."""
 
 import argparse
 import json
@@ -83,39 +83,14 @@ def threads(options):
             f"{statistics.median(b / a for a, b in runs):.2f}")
 
 
-def charts_of(seed):
-    return int(abf.atlas(*meshes.hill(16, seed), threads=1).face_chart.max()) + 1
-
-
-def dask(options):
-    """Many small models, which each worker generates"""
-    try:
-        from dask.distributed import Client, LocalCluster
-    except ImportError:
-        print("\nno dask.distributed: collections of models are not measured")
-        return
-    head("workers", "models", "seconds", "models per second")
-    for workers in (1, 2):
-        with LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None) as cluster, \
-                Client(cluster) as client:
-            client.run(sys.path.extend, sys.path)
-            client.gather(client.map(charts_of, range(2 * workers), pure=False))
-            begin = time.perf_counter()
-            charts = client.gather(client.map(charts_of, range(options.models), pure=False, batch_size=50))
-            seconds = time.perf_counter() - begin
-        assert np.all(np.array(charts) > 0)
-        row(str(workers), f"{options.models:,}", f"{seconds:.1f}", f"{options.models / seconds:.1f}")
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--program", type=Path, required=True, help="flatten_mesh")
     parser.add_argument("--sizes", type=lambda text: list(map(int, text.split(","))), default=[1000, 10000, 100000])
-    parser.add_argument("--models", type=int, default=1000)
     parser.add_argument("--repeat", type=int, default=5)
     options = parser.parse_args()
     print(f"{os.cpu_count()} processors, load {os.getloadavg()[0]:.1f}")
-    for part in (overhead, threads, dask):
+    for part in (overhead, threads):
         part(options)
 
 

@@ -24,9 +24,14 @@ class Packing:
 
     resolution: int = 1024
     gutter: int = 0  # texels; 0: as many as suit the resolution
+    texels_per_unit: float = 0  # 0: the islands fill one square; otherwise they take as many tiles as they need
+    block: int = 1  # texels along the sides of blocks that no two islands share
 
     def keywords(self) -> dict[str, Any]:
-        return {"resolution": self.resolution, **({"gutter": self.gutter} if self.gutter else {})}
+        gutter = {"gutter": self.gutter} if self.gutter else {}
+        return {
+            "resolution": self.resolution, "texels_per_unit": self.texels_per_unit, "block": self.block, **gutter
+        }
 
 
 @dataclass(frozen=True)
@@ -75,9 +80,26 @@ def make_atlas(
     except abf.MeshError as error:
         mesh = used[error.mesh]
         number = next(k for k, each in enumerate(meshes) if each is mesh)
-        raise BadInput(with_names(error.message, used), [(number, faces_of(error, mesh))]) from error
+        text = with_names(error.message, used)
+        text = text if mesh.name in text else f"{mesh.name}: {text}"
+        raise BadInput(text, [(number, faces_of(error, mesh))]) from error
+    except ValueError as error:
+        seam = re.search(r"(?:'mesh (\d+)': )?marked_seams\[(\d+)\]", str(error))
+        if seam is None:
+            raise
+        mesh = used[int(seam[1] or 0)]
+        number = next(k for k, each in enumerate(meshes) if each is mesh)
+        raise unusable_seam(mesh, number, usable_seams(mesh)[int(seam[2])]) from error
     atlases = iter(made if len(used) > 1 else [made])
     return [next(atlases) if mesh.chosen.any() else None for mesh in meshes]
+
+
+def unusable_seam(mesh: MeshArrays, number: int, ends: np.ndarray) -> BadInput:
+    """The seam lies only at faces that the module leaves out."""
+    edge = np.flatnonzero(edge_flags(mesh.edges, ends, len(mesh.vertices)))
+    faces = np.unique(mesh.corner_faces()[np.isin(mesh.corner_edges, edge)])
+    text = f"{mesh.name}: the seam between vertices {ends[0]} and {ends[1]} is at broken faces: clear it or repair them"
+    return BadInput(text, [(number, faces)])
 
 
 def with_names(text: str, meshes: list[MeshArrays]) -> str:
@@ -114,8 +136,11 @@ def message_of(meshes: list[MeshArrays], atlases: list[Any], verb: str) -> str:
     contents = report.get("atlas") or {}
     if contents.get("l2_stretch") is not None:
         figures.append(f"stretch {contents['l2_stretch']:.3f}")
-    share = (contents.get("packing") or {}).get("covered_share")
-    if share is not None:
+    packing = contents.get("packing") or {}
+    share = packing.get("covered_share")
+    if packing.get("pages", 1) > 1:
+        figures.append(f"{packing['pages']} tiles")
+    elif share is not None:
         figures.append(f"{100 * share:.0f} % of the square covered")
     if contents.get("injective"):
         figures.append("no flips and no overlaps")
@@ -188,9 +213,17 @@ def new_seams(mesh: MeshArrays, pairs: np.ndarray) -> np.ndarray:
 
 
 def need_uv(meshes: list[MeshArrays]) -> None:
-    for mesh in meshes:
-        if mesh.uv is None and mesh.chosen.any():
+    for number, mesh in enumerate(meshes):
+        if not mesh.chosen.any():
+            continue
+        if mesh.uv is None:
             raise BadInput(f"{mesh.name} has no UV layer: unwrap it first")
+        faces = mesh.corner_faces()[~np.isfinite(mesh.uv).all(axis=1)]
+        faces = np.unique(faces[mesh.chosen[faces]])
+        if len(faces):
+            raise BadInput(
+                f"{mesh.name}: face {faces[0]} has a texture coordinate that is not finite", [(number, faces)]
+            )
 
 
 def unfold(meshes: list[MeshArrays], packing: Packing, progress: Progress) -> TaskResult:

@@ -10,7 +10,23 @@ import numpy as np
 
 from . import module
 from .islands import component_labels, island_of, joined_corners
-from .mesh_arrays import MeshArrays
+from .mesh_arrays import BadInput, MeshArrays
+
+
+def flipped_and_overlapping(mesh: MeshArrays, number: int) -> tuple[np.ndarray, np.ndarray]:
+    """The chosen faces that are flipped, and those that overlap others. A face without area counts as flipped.
+    Errors name faces of the mesh with this number."""
+    labels = component_labels(len(mesh.uv), joined_corners(mesh, by_uv=True, tolerance=0))
+    whole = island_of(mesh, np.flatnonzero(mesh.chosen), labels)
+    abf = module.load()
+    try:
+        certificate = abf.certify(whole.vertices, whole.polygons, mesh.uv[whole.corners].astype(float))
+    except abf.MeshError as error:
+        # The module names the edge where orientations differ by its vertices, and its faces only in the message.
+        at_vertices = np.add.reduceat(np.isin(whole.corner_vertices, error.vertices).astype(int), whole.offsets[:-1])
+        faces = whole.faces[at_vertices == len(error.vertices)]
+        raise BadInput(f"{mesh.name}: {error.message}", [(number, faces)]) from error
+    return whole.faces[certificate.flipped], whole.faces[certificate.overlapping]
 
 
 def faults(mesh: MeshArrays, uv: np.ndarray, shown_uv: np.ndarray) -> np.ndarray:

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Optional
+from typing import Any, Optional
 
 import numpy as np
 
@@ -44,6 +44,12 @@ class MeshArrays:
         following[self.offsets[1:] - 1] = self.offsets[:-1]
         return following
 
+    def areas(self) -> np.ndarray:
+        """The areas of the faces. Those of polygons that are not planar are those of their shadows."""
+        first = np.repeat(self.vertices[self.corner_vertices[self.offsets[:-1]]], np.diff(self.offsets), axis=0)
+        here = self.vertices[self.corner_vertices].astype(float) - first
+        return np.linalg.norm(np.add.reduceat(np.cross(here, here[self.next_corners()]), self.offsets[:-1]), axis=1) / 2
+
     def marked_seams(self) -> np.ndarray:
         """The seams as pairs of vertices."""
         return self.edges[self.seams]
@@ -53,10 +59,11 @@ class MeshArrays:
 class MeshResult:
     """What becomes of a mesh. Corners whose coordinates stay as they are have NaN."""
 
-    uv: np.ndarray  # (c, 2)
+    uv: Optional[np.ndarray]  # (c, 2), or None if all stay
     seams: Optional[np.ndarray] = None  # (e,) bool, or None if they stay
     left_out: np.ndarray = field(default_factory=lambda: np.zeros(0, np.int64))  # chosen faces without coordinates
     faulty: np.ndarray = field(default_factory=lambda: np.zeros(0, np.int64))  # faces that flip or overlap
+    selected: Optional[np.ndarray] = None  # the faces to select, or None if the selection stays
 
 
 @dataclass
@@ -69,9 +76,10 @@ class TaskResult:
 
 
 class BadInput(Exception):
-    """A mesh that a task cannot do, with the faces to select: pairs of the number of a mesh and the faces."""
+    """A mesh that a task cannot do, with the faces to select: pairs of the number of a mesh, or of its object if it
+    could not be read, and the faces."""
 
-    def __init__(self, message: str, faces: Optional[list[tuple[int, np.ndarray]]] = None):
+    def __init__(self, message: str, faces: Optional[list[tuple[Any, np.ndarray]]] = None):
         super().__init__(message)
         self.faces = faces or []
 

@@ -15,6 +15,8 @@ from .blender_mesh import (
     mesh_objects,
     read_mesh,
     select_faces,
+    select_uv_faces,
+    selection_of,
     writable_layer,
     write_result,
 )
@@ -36,6 +38,7 @@ class Session:
 
     def __init__(self, context: bpy.types.Context, task: Task, makes_new_layer: bool = False):
         self.makes_new_layer = makes_new_layer
+        self.selection = selection_of(context)
         self.was_in_edit_mode = context.mode == "EDIT_MESH"
         self.objects: list[str] = []
         self.meshes: list[MeshArrays] = []
@@ -46,7 +49,14 @@ class Session:
             if not found:
                 raise BadInput("No mesh is selected")
             self.objects = [each.name for each in found]
-            self.meshes = [read_mesh(each, self.was_in_edit_mode) for each in found]
+            self.meshes = [read_mesh(each, self.selection) for each in found]
+            if not any(arrays.chosen.any() for arrays in self.meshes):
+                raise BadInput("No face is selected" + (" in the UV editor" if self.selection == "UV" else ""))
+        except BadInput as error:
+            for each, faces in error.faces:
+                select_faces(each.data, faces)
+            self.leave()
+            raise
         except BaseException:
             self.leave()
             raise
@@ -96,7 +106,10 @@ class Session:
             if not can_have_layer(each.data, self.makes_new_layer):
                 raise BadInput(f"{each.name} cannot have another UV layer")
         for each, result in zip(found, self.job.result.meshes):
-            write_result(each.data, writable_layer(each.data, self.makes_new_layer), result)
+            if result.selected is not None:
+                (select_uv_faces if self.selection == "UV" else select_faces)(each.data, result.selected)
+            if result.uv is not None:
+                write_result(each.data, writable_layer(each.data, self.makes_new_layer), result)
 
     def tell(self, failure: Failure, report: Callable[[set[str], str], None]) -> set[str]:
         for number, faces in failure.faces:

@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
-from .blender_mesh import mesh_objects, read_mesh, values, write_colours
+from .blender_mesh import mesh_objects, read_mesh, select_faces, selection_of, values, write_colours
 from .mesh_arrays import BadInput, MeshArrays
 from .stretch import FLIPPED_COLOUR, angle_colours, area_colours, face_stretches
 from .task_operator import NeedsMesh
@@ -38,15 +38,18 @@ class UV_OT_abf_show_stretch(NeedsMesh, bpy.types.Operator):
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         found, was_in_edit_mode = mesh_objects(context), context.mode == "EDIT_MESH"
+        selection = selection_of(context)
         if was_in_edit_mode:
             bpy.ops.object.mode_set(mode="OBJECT")
         try:
-            read = [read_mesh(each, was_in_edit_mode) for each in found]
+            read = [read_mesh(each, selection) for each in found]
             for arrays in read:
                 if arrays.uv is None:
                     raise BadInput(f"{arrays.name} has no UV layer: unwrap it first")
             flipped = sum(self.colour(each.data, arrays) for each, arrays in zip(found, read))
         except BadInput as error:
+            for each, faces in error.faces:
+                select_faces(each.data, faces)
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         finally:

@@ -5,10 +5,10 @@ it."""
 
 from __future__ import annotations
 
-from typing import Optional
+from typing import Any, Optional
 
 import bpy
-from bpy.props import EnumProperty, IntProperty
+from bpy.props import EnumProperty, FloatProperty, IntProperty
 
 from .atlas_tasks import Packing
 from .blender_mesh import mesh_objects
@@ -36,20 +36,31 @@ class TaskOperator(NeedsMesh):
     session: Optional[Session] = None
     timer: Optional[bpy.types.Timer] = None
 
-    uv_layer: EnumProperty(
-        name="UV layer",
-        items=[
-            ("ACTIVE", "Active", "The active UV layer"),
-            ("NEW", "New", "A new UV layer, which becomes the active one"),
-        ],
-    )
-
     def task(self) -> Task:
         raise NotImplementedError
 
+    def value(self, name: str) -> Any:
+        """Of an option, or None if the operator does not have it."""
+        return getattr(self, name, None)
+
+    def unused(self) -> set[str]:
+        """The options that have no effect with the values of others. The redo panel does not show them."""
+        return set()
+
+    def draw(self, context: bpy.types.Context) -> None:
+        self.layout.use_property_split = True
+        unused = self.unused() | {"rna_type"}
+        for name in self.bl_rna.properties.keys():
+            if name in type(self).option_names() - unused:
+                self.layout.prop(self, name)
+
+    @classmethod
+    def option_names(cls) -> set[str]:
+        return {name for each in cls.__mro__ for name in vars(each).get("__annotations__", {})} - {"session", "timer"}
+
     def begin(self, context: bpy.types.Context) -> bool:
         try:
-            self.session = Session(context, self.task(), self.uv_layer == "NEW")
+            self.session = Session(context, self.task(), self.value("uv_layer") == "NEW")
         except BadInput as error:
             self.report({"ERROR"}, str(error))
             return False
@@ -92,8 +103,44 @@ class TaskOperator(NeedsMesh):
         context.workspace.status_text_set(None)
 
 
-class PackingOptions:
+class LayerOption:
+    """Where coordinates go."""
+
+    uv_layer: EnumProperty(
+        name="UV layer",
+        items=[
+            ("ACTIVE", "Active", "The active UV layer"),
+            ("NEW", "New", "A new UV layer, which becomes the active one"),
+        ],
+    )
+
+
+class DensityOption:
+    """How many texels a metre has. The unit of length is that of the scene."""
+
+    density: FloatProperty(
+        name="Texels per metre",
+        description="Texels per metre on the surface, in the scene's scale of units",
+        default=512,
+        min=1e-3,
+        soft_max=16384,
+    )
+
+
+def metres_per_unit() -> float:
+    return bpy.context.scene.unit_settings.scale_length
+
+
+class PackingOptions(DensityOption, LayerOption):
     """The options of operators that pack."""
+
+    pack_into: EnumProperty(
+        name="Pack into",
+        items=[
+            ("SQUARE", "One tile", "The islands fill one square"),
+            ("TILES", "UDIM tiles", "The islands take as many tiles as their texel density needs"),
+        ],
+    )
 
     resolution: IntProperty(
         name="Resolution",
@@ -111,5 +158,10 @@ class PackingOptions:
         max=256,
     )
 
+    def unused(self) -> set[str]:
+        return {"density"} if self.value("pack_into") == "SQUARE" else set()
+
     def packing(self) -> Packing:
-        return Packing(self.resolution, self.gutter)
+        in_tiles = self.value("pack_into") == "TILES"
+        density = self.value("density") * metres_per_unit() if in_tiles else 0
+        return Packing(self.value("resolution"), self.value("gutter"), density, self.value("block") or 1)

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Meshes for the tests in Blender, and what the tests read of them."""
 
+import contextlib
+
 import bpy
 import numpy as np
 
@@ -177,14 +179,120 @@ def joined(meshes):
 def select_faces(found, chosen):
     """Selects faces, with the vertices and edges that belong to them, as in the mode of faces."""
     bpy.context.tool_settings.mesh_select_mode = (False, False, True)
-    for collection in (found.data.vertices, found.data.edges):
-        collection.foreach_set("select", np.zeros(len(collection), bool))
-    found.data.polygons.foreach_set("select", np.asarray(chosen, bool))
+    for collection, name, domain in (("vertices", ".select_vert", "POINT"), ("edges", ".select_edge", "EDGE")):
+        set_flags(found.data, collection, name, domain, np.zeros(len(getattr(found.data, collection)), bool))
+    set_flags(found.data, "polygons", ".select_poly", "FACE", np.asarray(chosen, bool))
     found.data.update()
+
+
+def set_flags(mesh, collection, name, domain, flags):
+    """Blender 5.0.1 ends where `select` of edges is set in a mesh of from_pydata()."""
+    if bpy.app.version < (5, 0):
+        getattr(mesh, collection).foreach_set("select", flags)
+        return
+    if name in mesh.attributes:
+        mesh.attributes.remove(mesh.attributes[name])
+    mesh.attributes.new(name, "BOOLEAN", domain).data.foreach_set("value", flags)
 
 
 def selected_faces(found):
     return np.flatnonzero(read(found, "polygons", "select", bool))
+
+
+@contextlib.contextmanager
+def uv_editor():
+    """The largest area of the window is a UV editor meanwhile, and the one that operators are called in."""
+    window = bpy.context.window_manager.windows[0]
+    area = max(window.screen.areas, key=lambda each: each.width * each.height)
+    before, area.ui_type = area.ui_type, "UV"
+    region = next(region for region in area.regions if region.type == "WINDOW")
+    try:
+        with bpy.context.temp_override(window=window, area=area, region=region):
+            yield
+    finally:
+        area.ui_type = before
+
+
+def select_in_uv_editor(found, chosen):
+    """Selects faces of a mesh in edit mode where the UV editor has a selection of its own."""
+    import bmesh
+
+    shape = bmesh.from_edit_mesh(found.data)
+    layer = shape.loops.layers.uv.active
+    for face, flag in zip(shape.faces, chosen):
+        if bpy.app.version >= (5, 0):
+            face.uv_select = bool(flag)
+        for loop in face.loops:
+            if bpy.app.version >= (5, 0):
+                loop.uv_select_vert = loop.uv_select_edge = bool(flag)
+            else:
+                loop[layer].select = loop[layer].select_edge = bool(flag)
+    if bpy.app.version >= (5, 0):
+        shape.uv_select_sync_valid = True
+    bmesh.update_edit_mesh(found.data)
+
+
+def uv_selected_faces(found):
+    """The faces of which all corners are selected in the UV editor."""
+    if bpy.app.version >= (5, 0):
+        data, name = found.data.attributes[".uv_select_vert"].data, "value"
+    else:
+        data, name = found.data.uv_layers.active.data, "select"
+    corners = np.empty(len(data), bool)
+    data.foreach_get(name, corners)
+    return np.flatnonzero([corners[face.loop_indices].all() for face in found.data.polygons])
+
+
+@contextlib.contextmanager
+def reports():
+    """What operators report meanwhile."""
+    from abf_unwrap.session import Session
+
+    said, finish = [], Session.finish
+    Session.finish = lambda session, report: finish(
+        session, lambda level, text: (said.append(text), report(level, text))[1]
+    )
+    try:
+        yield said
+    finally:
+        Session.finish = finish
+
+
+def shown_options(operator, **options):
+    """The names of the options that the redo panel shows with these values."""
+    from abf_unwrap.task_operator import TaskOperator
+
+    shown, begin = [], TaskOperator.begin
+    TaskOperator.begin = lambda run, context: shown.append(type(run).option_names() - run.unused())
+    try:
+        operator(**options)
+    finally:
+        TaskOperator.begin = begin
+    return shown[0]
+
+
+def points_of_islands(found):
+    """Points all over each island of the map."""
+    from abf_unwrap.blender_mesh import read_mesh
+    from abf_unwrap.islands import islands_of
+
+    weights = np.array([(a, b, 12 - a - b) for a in range(13) for b in range(13 - a)]) / 12
+    mesh, islands = read_mesh(found, "ALL"), []
+    for island in islands_of(mesh, by_uv=True):
+        points = []
+        for begin, end in zip(island.offsets, island.offsets[1:]):
+            uv = mesh.uv[island.corners[begin:end]]
+            points += [weights @ uv[[0, k, k + 1]] for k in range(1, len(uv) - 1)]
+        islands.append(np.concatenate(points))
+    return islands
+
+
+def area_in_plane(found):
+    from abf_unwrap.blender_mesh import read_mesh
+    from abf_unwrap.islands import islands_of
+
+    mesh = read_mesh(found, "ALL")
+    return sum(island.signed_areas(mesh.uv[island.corners].astype(float)).sum() for island in islands_of(mesh, True))
 
 
 def edit(found=None):

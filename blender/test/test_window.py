@@ -60,6 +60,7 @@ def checks():
     bpy.ops.ed.undo_push(message="before")
     yield
     with bpy.context.temp_override(**window_context()):
+        bpy.ops.uv.select_all(action="SELECT")
         assert bpy.ops.uv.abf_auto_seams("INVOKE_DEFAULT") == {"RUNNING_MODAL"}
     assert jobs and not jobs[-1].is_cancelled
     press("ESC")

@@ -6,7 +6,8 @@ from ._charts import (Certificate, Flattener, Flattening, Packing, certify, flat
 from ._core import __version__
 from ._errors import Cancelled, MeshError
 from ._surfaces import Baked, Cones, Seams, bake, cones, seams
+from ._unwrap import unwrap
 
 __all__ = ["Atlas", "Baked", "Cancelled", "Certificate", "Cones", "Flattener", "Flattening", "MeshError", "Packing",
            "Seams", "__version__", "atlas", "bake", "certify", "cones", "flatten", "hierarchical", "lscm", "measure",
-           "pack", "parametrize", "seams"]
+           "pack", "parametrize", "seams", "unwrap"]

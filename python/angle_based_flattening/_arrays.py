@@ -2,12 +2,24 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
+
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ._errors import MeshError
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+    Array: TypeAlias = NDArray[Any]
+
 INTEGERS = (np.int32, np.uint32, np.int64, np.uint64)
+
+
+class SupportsArray(Protocol):
+    """An array, of numpy or of another library."""
+
+    def __array__(self) -> Array: ...
 
 
 def name_of(what: str, mesh: str) -> str:
@@ -15,7 +27,7 @@ def name_of(what: str, mesh: str) -> str:
     return f"{what} of {mesh}" if mesh else what
 
 
-def _array(values: ArrayLike, what: str) -> np.ndarray:
+def _array(values: ArrayLike, what: str) -> Array:
     try:
         array = np.asarray(values)
     except ValueError as error:  # rows of different lengths
@@ -25,7 +37,7 @@ def _array(values: ArrayLike, what: str) -> np.ndarray:
     return array
 
 
-def numbers(values: ArrayLike, what: str, columns: int) -> np.ndarray:
+def numbers(values: ArrayLike, what: str, columns: int) -> Array:
     """An array of float32 or float64 with that many columns, without a copy if it is one."""
     array = _array(values, what)
     if array.ndim != 2 or array.shape[1] != columns:
@@ -35,7 +47,7 @@ def numbers(values: ArrayLike, what: str, columns: int) -> np.ndarray:
     return array
 
 
-def integers(values: ArrayLike, what: str, columns: int | None) -> np.ndarray:
+def integers(values: ArrayLike, what: str, columns: int | None) -> Array:
     """An array of integers with that many columns, or of one dimension, without a copy if it is one."""
     array = _array(values, what)
     if array.size == 0 and array.ndim <= 1 and columns is not None:
@@ -52,7 +64,7 @@ def integers(values: ArrayLike, what: str, columns: int | None) -> np.ndarray:
     return array
 
 
-def polygons(faces, mesh: str = "") -> tuple[np.ndarray | None, np.ndarray]:
+def polygons(faces: ArrayLike, mesh: str = "") -> tuple[Array | None, Array]:
     """The offsets and indices of faces. Triangles have no offsets."""
     if isinstance(faces, tuple) and len(faces) == 2 and all(isinstance(a, np.ndarray) and a.ndim == 1 for a in faces):
         offsets = integers(faces[0], name_of("offsets", mesh), None)
@@ -62,18 +74,18 @@ def polygons(faces, mesh: str = "") -> tuple[np.ndarray | None, np.ndarray]:
     return None, integers(faces, name_of("faces", mesh), 3)
 
 
-def number_of_faces(offsets: np.ndarray | None, indices: np.ndarray) -> int:
+def number_of_faces(offsets: Array | None, indices: Array) -> int:
     """Of faces as `polygons()` returns them."""
     return len(indices) if offsets is None else len(offsets) - 1
 
 
-def check_not_empty(offsets: np.ndarray | None, indices: np.ndarray, mesh: str = "", number: int = 0) -> None:
+def check_not_empty(offsets: Array | None, indices: Array, mesh: str = "", number: int = 0) -> None:
     """Raises a `MeshError` if there are no faces."""
     if number_of_faces(offsets, indices) == 0:
         raise MeshError("EMPTY_MESH", f"{mesh or 'the mesh'} has no faces", mesh=number)
 
 
-def flags(values: ArrayLike, what: str, count: int) -> np.ndarray:
+def flags(values: ArrayLike, what: str, count: int) -> Array:
     """An array of bool of that length."""
     array = np.asarray(values)
     if array.dtype != np.bool_ or array.shape != (count,):

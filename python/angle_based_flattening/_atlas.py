@@ -5,12 +5,14 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast, overload
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from . import _arrays, _core, _options
+from . import _arrays, _core, _drawing, _options
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
 
 
 @dataclass(frozen=True)
@@ -27,14 +29,14 @@ class Atlas:
             do.
     """
 
-    uv: np.ndarray
-    face_chart: np.ndarray
-    seams: np.ndarray
+    uv: NDArray[np.float64]
+    face_chart: NDArray[np.int32]
+    seams: NDArray[np.int64]
     report: dict[str, Any]
-    _indices: np.ndarray = field(repr=False)
-    _offsets: np.ndarray | None = field(repr=False)
+    _indices: _arrays.Array = field(repr=False)
+    _offsets: _arrays.Array | None = field(repr=False)
 
-    def unshared(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def unshared(self) -> tuple[NDArray[np.uint32], NDArray[np.uint32], NDArray[np.float32]]:
         """Vertices that have one coordinate each, as graphics cards want them.
 
         Returns:
@@ -45,8 +47,27 @@ class Atlas:
         vmapping, indices, uvs = _core.unshared(self._indices, self.uv)
         return vmapping, indices.reshape(self._indices.shape), uvs
 
+    def show(self, axes: Any = None) -> Any:
+        """Draws the page with matplotlib, each chart in a colour. Scripts then call ``matplotlib.pyplot.show()``.
 
-def _given_mesh(vertices, faces, marked_seams, uv, ignored_faces, number: int | None):
+        Args:
+            axes: of matplotlib, where it is drawn; by default, those of a new figure.
+
+        Returns:
+            The axes.
+
+        Raises:
+            ImportError: matplotlib is not installed.
+        """
+        return _drawing.show(self, axes)
+
+    def _repr_html_(self) -> str:
+        """What notebooks show: the page, and a line on it."""
+        return _drawing.as_html(self)
+
+
+def _given_mesh(vertices: Any, faces: Any, marked_seams: Any, uv: Any, ignored_faces: Any, number: int | None,
+                ) -> tuple[_core.GivenMesh, _arrays.Array | None, _arrays.Array]:
     """A mesh as the compiled part takes it. It has a number if there are several."""
     mesh = "" if number is None else f"mesh {number}"
     vertices = _arrays.numbers(vertices, _arrays.name_of("vertices", mesh), 3)
@@ -74,7 +95,7 @@ _OF_MAPS = ("purpose", "separate_overlaps", "isometric_charts", "stretch_bound",
 def _check_together(options: dict[str, Any]) -> None:
     """Raises an error for an option that would have no effect with another one."""
 
-    def exclude(names, other, reason):
+    def exclude(names: Sequence[str], other: str, reason: str) -> None:
         for name in names:
             if options.get(name) is not None:
                 raise ValueError(f"{name} is given, and goes without {other}: {reason}")
@@ -90,7 +111,7 @@ def _check_together(options: dict[str, Any]) -> None:
         exclude(_OF_MAPS, 'given_charts="keep"', "charts that are given are kept")
 
 
-def _per_mesh(values, what: str, count: int) -> list:
+def _per_mesh(values: Any, what: str, count: int) -> list[Any]:
     if values is None:
         return [None] * count
     if not isinstance(values, (list, tuple)) or len(values) != count:
@@ -98,12 +119,26 @@ def _per_mesh(values, what: str, count: int) -> list:
     return list(values)
 
 
+@overload
+def atlas(vertices: _arrays.SupportsArray, faces: ArrayLike, **options: Any) -> Atlas: ...
+
+
+@overload
+def atlas(vertices: list[NDArray[Any]] | tuple[NDArray[Any], ...], faces: Sequence[ArrayLike], **options: Any,
+          ) -> list[Atlas]: ...
+
+
+@overload
+def atlas(vertices: Sequence[Sequence[Any]], faces: ArrayLike | Sequence[ArrayLike], **options: Any,
+          ) -> Atlas | list[Atlas]: ...
+
+
 @_options.takes("atlas")
 def atlas(vertices: ArrayLike | Sequence[ArrayLike], faces: ArrayLike | Sequence[ArrayLike], *,
           purpose: str = "texture", seams: str = "auto", marked_seams: ArrayLike | None = None,
           uv: ArrayLike | None = None, ignored_faces: ArrayLike | None = None, symmetric: bool = False,
           weld: bool = True, repair: bool = True, timeout: float | None = None,
-          progress: _options.Progress | None = None, **options: Any) -> Atlas | list[Atlas]:
+          progress: _options.Progress | bool | None = None, **options: Any) -> Atlas | list[Atlas]:
     """Cuts any surface open, flattens it, and packs the charts, as ``flatten_mesh`` does.
 
     Args:
@@ -122,7 +157,7 @@ def atlas(vertices: ArrayLike | Sequence[ArrayLike], faces: ArrayLike | Sequence
         repair: whether faces that do not form a manifold are separated, turned or left out.
         timeout: seconds after which a `TimeoutError` is raised.
         progress: is called with the name of a stage and its share, from 0 to 1, twenty times a second, in the thread
-            of the caller. If it returns ``False``, `Cancelled` is raised.
+            of the caller. If it returns ``False``, `Cancelled` is raised. ``True`` shows a bar, by the package tqdm.
         OPTIONS
 
     Returns:
@@ -133,42 +168,53 @@ def atlas(vertices: ArrayLike | Sequence[ArrayLike], faces: ArrayLike | Sequence
         ValueError: an option or an array is wrong; the message names it.
         MeshError: no face has a chart; or, with ``given_charts="keep"``, a chart is not injective.
         TimeoutError, Cancelled, MemoryError: see above.
+
+    >>> import angle_based_flattening as abf
+    >>> import numpy as np
+    >>> vertices = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
+    >>> atlas = abf.atlas(vertices, [[0, 1, 2], [0, 2, 3]], resolution=256)
+    >>> atlas.uv.shape, atlas.face_chart.tolist(), atlas.report["atlas"]["injective"]
+    ((6, 2), [0, 0], True)
     """
     choices = {"purpose": purpose, "seams": seams, "symmetric": _options.switch("symmetric", symmetric),
                "weld": _options.switch("weld", weld), "repair": _options.switch("repair", repair)}
     _check_together(options | {
         "purpose": None if purpose == "texture" else purpose, "seams": None if seams == "auto" else seams,
         "marked_seams": marked_seams, "symmetric": choices["symmetric"] or None})
+    meshes: list[Any] = [vertices]
     is_shared = isinstance(vertices, (list, tuple)) and len(vertices) > 0 and np.ndim(vertices[0]) == 2
-    meshes = list(vertices) if is_shared else [vertices]
+    if isinstance(vertices, (list, tuple)) and is_shared:
+        meshes = list(vertices)
     if is_shared and symmetric:
         raise ValueError("symmetric is True, and goes with one mesh only")
-    if is_shared:
-        faces = _per_mesh(faces, "faces", len(meshes))
-        marked_seams = _per_mesh(marked_seams, "marked_seams", len(meshes))
-        uv = _per_mesh(uv, "uv", len(meshes))
-        ignored_faces = _per_mesh(ignored_faces, "ignored_faces", len(meshes))
-    else:
-        faces, marked_seams, uv, ignored_faces = [faces], [marked_seams], [uv], [ignored_faces]
-    if options.get("given_charts") == "keep" and any(each is None for each in uv):
+    of_meshes = {"faces": faces, "marked_seams": marked_seams, "uv": uv, "ignored_faces": ignored_faces}
+    lists = {name: _per_mesh(values, name, len(meshes)) if is_shared else [values]
+             for name, values in of_meshes.items()}
+    if options.get("given_charts") == "keep" and any(each is None for each in lists["uv"]):
         raise ValueError('given_charts is "keep", and uv is not given')
-    given = [_given_mesh(*each, i if is_shared else None)
-             for i, each in enumerate(zip(meshes, faces, marked_seams, uv, ignored_faces))]
-    results, text = _core.atlas([each[0] for each in given], is_shared, choices, options,
-                                _options.watch(progress, timeout))
+    given = [_given_mesh(mesh, lists["faces"][i], lists["marked_seams"][i], lists["uv"][i], lists["ignored_faces"][i],
+                         i if is_shared else None) for i, mesh in enumerate(meshes)]
+    with _options.watching(progress, timeout) as watch:
+        results, text = _core.atlas([each[0] for each in given], is_shared, choices, options, watch)
     report = json.loads(text)
     atlases = [Atlas(*result, report, indices, offsets)
                for result, (_, offsets, indices) in zip(results, given)]
     return atlases if is_shared else atlases[0]
 
 
-def parametrize(vertices: ArrayLike, faces: ArrayLike, **options) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def parametrize(vertices: ArrayLike, faces: ArrayLike, **options: Any,
+                ) -> tuple[NDArray[np.uint32], NDArray[np.uint32], NDArray[np.float32]]:
     """Makes an atlas and returns `Atlas.unshared()`: what ``xatlas.parametrize()`` returns.
 
     Args:
         vertices, faces, options: as of `atlas()`, for one mesh.
+
+    >>> import angle_based_flattening as abf
+    >>> vmapping, indices, uvs = abf.parametrize([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    >>> vmapping[indices].tolist()
+    [[0, 1, 2]]
     """
-    result = atlas(vertices, faces, **options)
+    result = atlas(cast(Sequence[Sequence[Any]], vertices), faces, **options)
     if isinstance(result, list):
         raise ValueError("parametrize() takes one mesh; atlas() takes several")
     return result.unshared()

@@ -1,6 +1,14 @@
 """The exceptions of the package."""
 
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 
 class MeshError(ValueError):
@@ -15,15 +23,16 @@ class MeshError(ValueError):
         mesh: the number of the mesh that these belong to, from 0.
     """
 
-    def __init__(self, status, message, faces=(), vertices=(), mesh=0):
+    def __init__(self, status: str, message: str, faces: Sequence[int] | NDArray[Any] = (),
+                 vertices: Sequence[int] | NDArray[Any] = (), mesh: int = 0) -> None:
         super().__init__(status, message, faces, vertices, mesh)
         self.status = status
         self.message = message
-        self.faces = np.asarray(faces, dtype=np.int64)
-        self.vertices = np.asarray(vertices, dtype=np.int64)
+        self.faces: NDArray[np.int64] = np.asarray(faces, dtype=np.int64)
+        self.vertices: NDArray[np.int64] = np.asarray(vertices, dtype=np.int64)
         self.mesh = mesh
 
-    def __str__(self):
+    def __str__(self) -> str:
         return f"{self.status}: {self.message}"
 
 

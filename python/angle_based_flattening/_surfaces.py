@@ -5,13 +5,15 @@ from __future__ import annotations
 import json
 import math
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from . import _arrays, _core, _options
+from . import _core, _options
 from ._charts import corner_coordinates, given_mesh
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
 
 
 @dataclass(frozen=True)
@@ -23,12 +25,12 @@ class Seams:
         report: the number of disks, the length of the seams, the predicted stretch.
     """
 
-    edges: np.ndarray
+    edges: NDArray[np.int64]
     report: dict[str, Any]
 
 
 @_options.takes("seams")
-def seams(vertices: ArrayLike, faces, *, along: str = "length", marked_seams: ArrayLike | None = None,
+def seams(vertices: ArrayLike, faces: ArrayLike, *, along: str = "length", marked_seams: ArrayLike | None = None,
           **options: Any) -> Seams:
     """Chooses seams that cut a surface to disks with little stretch, as the C++ function ``select_seams()`` does.
 
@@ -56,15 +58,15 @@ class Cones:
         seams: (k, 2) int64, the edges of seams through the cones; None without a map.
     """
 
-    vertices: np.ndarray
-    angles: np.ndarray
+    vertices: NDArray[np.int64]
+    angles: NDArray[np.float64]
     predicted_stretch: float
-    uv: np.ndarray | None
-    seams: np.ndarray | None
+    uv: NDArray[np.float64] | None
+    seams: NDArray[np.int64] | None
 
 
-def cones(vertices: ArrayLike, faces, number: int, *, angle_multiple: float = 0, flatten: bool = False,
-          threads: int = 0, timeout: float | None = None, progress: _options.Progress | None = None) -> Cones:
+def cones(vertices: ArrayLike, faces: ArrayLike, number: int, *, angle_multiple: float = 0, flatten: bool = False,
+          threads: int = 0, timeout: float | None = None, progress: _options.Progress | bool | None = None) -> Cones:
     """Chooses cones of a connected surface, and flattens it with seams through them on demand.
 
     Args:
@@ -76,12 +78,12 @@ def cones(vertices: ArrayLike, faces, number: int, *, angle_multiple: float = 0,
         timeout, progress: as of `atlas()`. They end the map, and not the choice of cones.
     """
     given, _ = given_mesh(vertices, faces)
-    found, stretch, uv, edges = _core.cones(
-        given, _options.integer("number", number, 0, 1000),
-        _options.number("angle_multiple", angle_multiple, 0, 2 * math.pi), _options.switch("flatten", flatten),
-        _options.integer("threads", threads, 0, 1024), _options.watch(progress, timeout))
-    return Cones(np.array([v for v, _ in found], np.int64), np.array([angle for _, angle in found], np.float64),
-                 stretch, uv if flatten else None, edges if flatten else None)
+    number = _options.integer("number", number, 0, 1000)
+    angle_multiple = _options.number("angle_multiple", angle_multiple, 0, 2 * math.pi)
+    flatten, threads = _options.switch("flatten", flatten), _options.integer("threads", threads, 0, 1024)
+    with _options.watching(progress, timeout) as watch:
+        stretch, (cone_vertices, angles, *of_map) = _core.cones(given, number, angle_multiple, flatten, threads, watch)
+    return Cones(cone_vertices, angles, stretch, *(of_map if flatten else (None, None)))
 
 
 @dataclass(frozen=True)
@@ -96,15 +98,15 @@ class Baked:
         report: how many texels there are of each kind, and distances.
     """
 
-    normals: np.ndarray
-    displacements: np.ndarray
-    colors: np.ndarray | None
-    texels: np.ndarray
+    normals: NDArray[np.float32]
+    displacements: NDArray[np.float32]
+    colors: NDArray[np.float32] | None
+    texels: NDArray[np.uint8]
     report: dict[str, Any]
 
 
 @_options.takes("baking")
-def bake(vertices: ArrayLike, faces, uv: ArrayLike, fine_vertices: ArrayLike, fine_faces, *,
+def bake(vertices: ArrayLike, faces: ArrayLike, uv: ArrayLike, fine_vertices: ArrayLike, fine_faces: ArrayLike, *,
          fine_colors: ArrayLike | None = None, **options: Any) -> Baked:
     """Bakes the normals, the distance and the colours of a fine surface into textures of a simple one.
 
@@ -117,13 +119,13 @@ def bake(vertices: ArrayLike, faces, uv: ArrayLike, fine_vertices: ArrayLike, fi
     """
     given, _ = given_mesh(vertices, faces, uv=corner_coordinates(uv, vertices, faces))
     fine, _ = given_mesh(fine_vertices, fine_faces, mesh="the fine mesh")
-    colors = []
+    colors = None
     if fine_colors is not None:
-        array = np.asarray(fine_colors)
-        if array.dtype != np.uint8 or array.shape != (len(fine_vertices), 3):
-            raise ValueError(f"fine_colors is an array of {array.dtype} with the shape {array.shape}, and must be one "
-                             f"of uint8 with the shape ({len(fine_vertices)}, 3)")
-        colors = array.tolist()
+        colors = np.asarray(fine_colors)
+        n = len(np.asarray(fine_vertices))
+        if colors.dtype != np.uint8 or colors.shape != (n, 3):
+            raise ValueError(f"fine_colors is an array of {colors.dtype} with the shape {colors.shape}, and must be "
+                             f"one of uint8 with the shape ({n}, 3)")
     normals, displacements, found_colors, texels, text = _core.bake(given, fine, colors, options,
                                                                     _options.watch())
     return Baked(normals, displacements, found_colors, texels, json.loads(text))

@@ -5,18 +5,15 @@
 
 // Atlases of any meshes
 
-#include "bindings.h"
 #include "failures.h"
-#include "interruptible.h"
-#include "option_taker.h"
+#include "interface.h"
+#include "progress.h"
+#include "results.h"
 #include "soups.h"
 #include "surfaces.h"
+#include "take_options.h"
 
-#include <CGAL/Texture_atlas/internal/json/report_json.h>
-#include <CGAL/Texture_atlas/internal/options/option_table.h>
 #include <CGAL/Texture_atlas/make_atlas_of_soup.h>
-
-#include <pybind11/stl.h>
 
 #include <cstddef>
 #include <string>
@@ -34,10 +31,10 @@ struct Atlas_choices
 };
 
 // `options` are those of `make_atlas()`.
-Atlas_choices choices_of(const py::dict& choices, const py::dict& options)
+Atlas_choices choices_of(const Json& choices, const Json& options)
 {
   TA::Atlas_options::Purpose purpose = TA::Atlas_options::TEXTURE;
-  take("purpose", choices["purpose"], purpose, abf::words_of_purposes());
+  take(Given_value("purpose", choices.at("purpose")), purpose, abf::words_of_purposes());
   TA::Atlas_options given;
   take_options(options, "atlases", given);
   Atlas_choices result{TA::Soup_options(purpose), abf::words_of_purposes().value_text(purpose)};
@@ -45,12 +42,13 @@ Atlas_choices choices_of(const py::dict& choices, const py::dict& options)
     result.options.stretch_bound = 2;
   }
   take_options(options, "atlases", static_cast<TA::Atlas_options&>(result.options));
-  const std::string seams = choices["seams"].cast<std::string>();
+  const std::string seams = choices.at("seams").at(1);
   check_value(abf::wrong_seams(seams));
+  const auto is_on = [&choices](const char* const name) { return choices.at(name).at(1) == "1"; };
   abf::set_seams(seams, purpose == TA::Atlas_options::TEXTURE, result.options);
-  result.options.symmetric = choices["symmetric"].cast<bool>();
-  result.options.weld = choices["weld"].cast<bool>();
-  result.options.repair = choices["repair"].cast<bool>();
+  result.options.symmetric = is_on("symmetric");
+  result.options.weld = is_on("weld");
+  result.options.repair = is_on("repair");
   return result;
 }
 
@@ -58,7 +56,7 @@ Atlas_choices choices_of(const py::dict& choices, const py::dict& options)
 [[noreturn]] void fail(const TA::Soup_report& report)
 {
   if(is_of_argument(report.status)) {
-    throw py::value_error(report.message);
+    throw Wrong_value(report.message);
   }
   throw Mesh_failure(to_string(report.status), report.message,
                      {report.offending_polygons.begin(), report.offending_polygons.end()},
@@ -100,9 +98,8 @@ struct Result
   std::string json;
 };
 
-// All that needs no interpreter
 Result make_atlases(const std::vector<Surface_soup>& soups, const bool is_shared, Atlas_choices choices,
-                    Progress_state& state)
+                    abf_progress& state)
 {
   return with_failures([&] {
     Atlas_watcher watcher(state);
@@ -123,32 +120,27 @@ Result make_atlases(const std::vector<Surface_soup>& soups, const bool is_shared
   });
 }
 
-py::tuple atlas(const std::vector<Given_mesh>& meshes, const bool is_shared, const py::dict& choices,
-                const py::dict& options, const Watch& watch)
-{
-  const Atlas_choices given = choices_of(choices, options);
-  std::vector<Surface_soup> soups;
-  for(std::size_t i = 0; i < meshes.size(); ++i) {
-    soups.push_back(soup_of(meshes[i], is_shared ? "mesh " + std::to_string(i) : ""));
-  }
-  Result result = run_interruptibly(
-      watch, [&](Progress_state& state) { return make_atlases(soups, is_shared, given, state); });
-  py::list atlases;
-  for(TA::Soup_atlas& each : result.atlases) {
-    const auto faces = static_cast<py::ssize_t>(each.charts.size());
-    atlases.append(py::make_tuple(array_of_points(each.uv), array_of(std::move(each.charts), {faces}),
-                                  array_of_pairs(each.seams)));
-  }
-  return py::make_tuple(atlases, result.json);
-}
-
 } // namespace
 
-void bind_atlas(py::module_& module)
-{
-  py::class_<Given_mesh>(module, "GivenMesh")
-      .def(py::init<py::array, py::object, py::array, py::object, py::object, py::object>());
-  module.def("atlas", &atlas);
-}
-
 } // namespace abf_python
+
+abf_result* abf_atlas(const abf_mesh* const meshes, const int number, const int is_shared,
+                      const char* const given_choices, const char* const options,
+                      abf_progress* const progress)
+{
+  using namespace abf_python;
+  return result_of([&](abf_result& result) {
+    const Atlas_choices choices = choices_of(Json::parse(given_choices), Json::parse(options));
+    std::vector<Surface_soup> soups;
+    for(int i = 0; i < number; ++i) {
+      soups.push_back(soup_of(meshes[i], is_shared ? "mesh " + std::to_string(i) : ""));
+    }
+    Result made = make_atlases(soups, is_shared, choices, *progress);
+    result.text = std::move(made.json);
+    for(TA::Soup_atlas& each : made.atlases) {
+      result.add_points(each.uv);
+      result.add(std::move(each.charts));
+      result.add_pairs(each.seams);
+    }
+  });
+}

@@ -5,9 +5,10 @@
 
 // Single charts: disks that ABF++ or LSCM flattens
 
-#include "bindings.h"
-#include "option_taker.h"
+#include "interface.h"
+#include "results.h"
 #include "surfaces.h"
+#include "take_options.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/ABF_plus_plus_parameterizer_3.h>
@@ -17,12 +18,13 @@
 #include <CGAL/Surface_mesh_parameterization/polygon_angles.h>
 #include <CGAL/Texture_atlas/internal/json/report_json.h>
 
-#include <pybind11/stl.h>
-
 #include <array>
+#include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,20 +33,11 @@ namespace abf_python {
 
 namespace {
 
-using CGAL::Texture_atlas::internal::Json;
-using CGAL::Texture_atlas::internal::json_text;
+using abf::json_text;
 
 using Direct = SMP::ABF_plus_plus_parameterizer_3<Mesh>;
 using Hierarchical = SMP::Hierarchical_parameterizer_3<Mesh>;
 using UV_map = Mesh::Property_map<Vertex, Kernel::Point_2>;
-
-template <class Options>
-Options options_of(const py::dict& given, const std::string& method)
-{
-  Options options;
-  take_options(given, "the " + method + " method", options);
-  return options;
-}
 
 Json common_json(const SMP::Flattening_report& report, const std::string& method)
 {
@@ -81,7 +74,7 @@ std::string json_of(const SMP::Hierarchical_report& report)
                {"relaxed_angles", report.relaxed_angles},
                {"polished", report.polished},
                {"note", report.note}});
-  CGAL::Texture_atlas::internal::add_coarse_charts(json, report);
+  abf::add_coarse_charts(json, report);
   return json_text(json);
 }
 
@@ -102,8 +95,26 @@ struct Prescriptions
 {
   std::vector<Index> corners; // of a rectangle: none or four
   double aspect_ratio = 0;    // if not 0, corners for this ratio are chosen
-  std::vector<std::pair<Index, double>> angles;
-  std::vector<std::pair<Index, std::array<double, 2>>> pins;
+  std::vector<Index> angle_vertices, pin_vertices;
+  std::vector<double> angles; // of each of these vertices
+  std::vector<Kernel::Point_2> pins;
+
+  explicit Prescriptions(const abf_prescriptions& given) : aspect_ratio(given.aspect_ratio)
+  {
+    const auto vertices = [](const abf_array& array) {
+      return is_given(array) ? read_indices(array, std::numeric_limits<Index>::max(), "a vertex", "vertices")
+                             : std::vector<Index>();
+    };
+    corners = vertices(given.corners);
+    angle_vertices = vertices(given.angle_vertices);
+    pin_vertices = vertices(given.pin_vertices);
+    if(is_given(given.angles)) {
+      angles = read_numbers(given.angles);
+    }
+    if(is_given(given.pins)) {
+      pins = read_points<Kernel::Point_2, 2>(given.pins);
+    }
+  }
 };
 
 // Vertices that do not exist, and no number but one of an existing one
@@ -131,8 +142,8 @@ void prescribe(const Prescriptions& wanted, const Surface& surface, Direct& dire
   }
   if(!wanted.angles.empty()) {
     SMP::Vertex_angles<Mesh> angles;
-    for(const auto& [v, angle] : wanted.angles) {
-      angles.set(checked(v, mesh, "a vertex with a given angle"), angle);
+    for(std::size_t i = 0; i < wanted.angles.size(); ++i) {
+      angles.set(checked(wanted.angle_vertices[i], mesh, "a vertex with a given angle"), wanted.angles[i]);
     }
     direct.set_angle_sums(angles);
   }
@@ -142,8 +153,8 @@ void pin(const Prescriptions& wanted, Mesh& mesh, Direct& direct)
 {
   if(!wanted.pins.empty()) {
     const auto pins = mesh.add_property_map<Vertex, std::optional<Kernel::Point_2>>("v:pin").first;
-    for(const auto& [v, p] : wanted.pins) {
-      pins[checked(v, mesh, "a pin")] = Kernel::Point_2(p[0], p[1]);
+    for(std::size_t i = 0; i < wanted.pins.size(); ++i) {
+      pins[checked(wanted.pin_vertices[i], mesh, "a pin")] = wanted.pins[i];
     }
     direct.set_pins(pins);
   }
@@ -153,16 +164,18 @@ void pin(const Prescriptions& wanted, Mesh& mesh, Direct& direct)
 class Flattener
 {
 public:
-  Flattener(Given_mesh mesh, const bool is_hierarchical, const py::dict& options, Prescriptions prescriptions)
-      : m_given(std::move(mesh)), m_prescriptions(std::move(prescriptions)),
-        m_hierarchical(is_hierarchical ? std::make_optional<Hierarchical>(watched(
-                                             options_of<SMP::Hierarchical_options>(options, "hierarchical")))
-                                       : std::nullopt),
-        m_direct(
-            watched(options_of<SMP::ABF_plus_plus_options>(is_hierarchical ? py::dict() : options, "direct")))
+  Flattener(const abf_mesh& mesh, const bool is_hierarchical, const char* const options,
+            const abf_prescriptions& prescriptions)
+      : m_given(mesh), m_prescriptions(prescriptions),
+        m_hierarchical(is_hierarchical
+                           ? std::make_optional<Hierarchical>(watched(
+                                 options_of<SMP::Hierarchical_options>(options, "the hierarchical method")))
+                           : std::nullopt),
+        m_direct(watched(
+            options_of<SMP::ABF_plus_plus_options>(is_hierarchical ? "{}" : options, "the direct method")))
   {}
 
-  Flattening solve(const py::array& vertices, const Watch& watch)
+  Flattening solve(const abf_array& vertices, abf_progress& state)
   {
     const std::unique_lock<std::mutex> lock(m_mutex, std::try_to_lock);
     if(!lock) {
@@ -174,10 +187,8 @@ public:
     } else {
       move_vertices(read_points<Kernel::Point_3, 3>(vertices));
     }
-    return run_interruptibly(watch, [this](Progress_state& state) {
-      return with_failures(
-          [&] { return m_hierarchical ? solve(*m_hierarchical, state) : solve(m_direct, state); });
-    });
+    return with_failures(
+        [&] { return m_hierarchical ? solve(*m_hierarchical, state) : solve(m_direct, state); });
   }
 
 private:
@@ -200,8 +211,8 @@ private:
   {
     Mesh& mesh = m_surface->mesh;
     if(points.size() != mesh.number_of_vertices()) {
-      throw py::value_error("there are " + std::to_string(points.size()) + " vertices, and were " +
-                            std::to_string(mesh.number_of_vertices()) + " before");
+      throw Wrong_value("there are " + std::to_string(points.size()) + " vertices, and were " +
+                        std::to_string(mesh.number_of_vertices()) + " before");
     }
     for(const Vertex v : mesh.vertices()) {
       mesh.point(v) = points[v.idx()];
@@ -209,7 +220,7 @@ private:
   }
 
   template <class Parameterizer>
-  Flattening solve(Parameterizer& parameterizer, Progress_state& state)
+  Flattening solve(Parameterizer& parameterizer, abf_progress& state)
   {
     Mesh& mesh = m_surface->mesh;
     const UV_map uv = empty_coordinates(mesh);
@@ -230,7 +241,7 @@ private:
   }
 
   Flattening_watcher m_watcher;
-  Given_mesh m_given;
+  abf_mesh m_given; // Python keeps its arrays
   Prescriptions m_prescriptions;
   std::optional<Hierarchical> m_hierarchical;
   Direct m_direct;
@@ -238,53 +249,65 @@ private:
   std::mutex m_mutex;
 };
 
-Flattening lscm(const Given_mesh& given, const Watch& watch)
+Flattening lscm(const abf_mesh& given)
 {
-  Surface_soup soup = soup_of(given, "");
-  return run_interruptibly(watch, [&](Progress_state&) {
-    return with_failures([&] {
-      Surface surface = surface_of(std::move(soup));
-      Mesh& mesh = surface.mesh;
-      const UV_map uv = empty_coordinates(mesh);
-      const auto border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
-      if(border == Mesh::null_halfedge()) {
-        throw Mesh_failure("NO_BORDER", "the surface is closed: it has no border; cut it open first");
-      }
-      const SMP::Error_code error = SMP::parameterize(mesh, SMP::LSCM_parameterizer_3<Mesh>(), border, uv);
-      if(error != SMP::OK) {
-        throw Mesh_failure("LSCM_FAILED", SMP::get_error_message(error));
-      }
-      Flattening result{{}, "{\"method\": \"lscm\"}"};
-      for(const Vertex v : mesh.vertices()) {
-        result.uv.push_back(uv[v]);
-      }
-      return result;
-    });
-  });
+  Surface surface = surface_of(soup_of(given, ""));
+  Mesh& mesh = surface.mesh;
+  const UV_map uv = empty_coordinates(mesh);
+  const auto border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
+  if(border == Mesh::null_halfedge()) {
+    throw Mesh_failure("NO_BORDER", "the surface is closed: it has no border; cut it open first");
+  }
+  const SMP::Error_code error = SMP::parameterize(mesh, SMP::LSCM_parameterizer_3<Mesh>(), border, uv);
+  if(error != SMP::OK) {
+    throw Mesh_failure("LSCM_FAILED", SMP::get_error_message(error));
+  }
+  Flattening result{{}, "{\"method\": \"lscm\"}"};
+  for(const Vertex v : mesh.vertices()) {
+    result.uv.push_back(uv[v]);
+  }
+  return result;
 }
 
-py::tuple tuple_of(const Flattening& flattening)
+abf_result* result_of_flattening(const std::function<Flattening()>& f)
 {
-  return py::make_tuple(array_of_points(flattening.uv), flattening.json);
+  return result_of([&f](abf_result& result) {
+    Flattening flattening = f();
+    result.add_points(flattening.uv);
+    result.text = std::move(flattening.json);
+  });
 }
 
 } // namespace
 
-void bind_charts(py::module_& module)
+} // namespace abf_python
+
+using namespace abf_python;
+
+// For Python, a `Flattener` is an address.
+abf_result* abf_make_flattener(const abf_mesh* const mesh, const int is_hierarchical,
+                               const char* const options, const abf_prescriptions* const prescriptions,
+                               abf_flattener** const flattener)
 {
-  py::class_<Prescriptions>(module, "Prescriptions")
-      .def(py::init([](std::vector<Index> corners, const double aspect_ratio,
-                       std::vector<std::pair<Index, double>> angles,
-                       std::vector<std::pair<Index, std::array<double, 2>>> pins) {
-        return Prescriptions{std::move(corners), aspect_ratio, std::move(angles), std::move(pins)};
-      }));
-  py::class_<Flattener>(module, "Flattener")
-      .def(py::init<Given_mesh, bool, py::dict, Prescriptions>())
-      .def("solve", [](Flattener& flattener, const py::array& vertices, const Watch& watch) {
-        return tuple_of(flattener.solve(vertices, watch));
-      });
-  module.def("lscm",
-             [](const Given_mesh& given, const Watch& watch) { return tuple_of(lscm(given, watch)); });
+  return result_of([&](abf_result&) {
+    *flattener =
+        reinterpret_cast<abf_flattener*>(new Flattener(*mesh, is_hierarchical != 0, options, *prescriptions));
+  });
 }
 
-} // namespace abf_python
+abf_result* abf_solve(abf_flattener* const flattener, const abf_array* const vertices,
+                      abf_progress* const progress)
+{
+  return result_of_flattening(
+      [&] { return reinterpret_cast<Flattener*>(flattener)->solve(*vertices, *progress); });
+}
+
+void abf_free_flattener(abf_flattener* const flattener)
+{
+  delete reinterpret_cast<Flattener*>(flattener);
+}
+
+abf_result* abf_lscm(const abf_mesh* const mesh, abf_progress*)
+{
+  return result_of_flattening([&] { return with_failures([&] { return lscm(*mesh); }); });
+}

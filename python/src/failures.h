@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <exception>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,16 +32,16 @@ struct Mesh_failure : std::exception
   const char* what() const noexcept override { return message.c_str(); }
 };
 
-// The computation ended because the caller wanted so.
-struct Cancelled : std::exception
+// Becomes a `ValueError` in Python.
+struct Wrong_value : std::invalid_argument
 {
-  const char* what() const noexcept override { return "the computation was cancelled"; }
+  using std::invalid_argument::invalid_argument;
 };
 
-// The computation ended because the time was over.
-struct Timed_out : std::exception
+// Becomes a `TypeError` in Python.
+struct Wrong_type : std::invalid_argument
 {
-  const char* what() const noexcept override { return "the computation took longer than the timeout"; }
+  using std::invalid_argument::invalid_argument;
 };
 
 } // namespace abf_python

@@ -10,8 +10,6 @@
 
 #include <CGAL/Texture_atlas/Surface_soup.h>
 
-#include <pybind11/pybind11.h>
-
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -27,17 +25,6 @@ using Kernel = Surface_soup::Kernel;
 // Edges, each as its vertices
 using Vertex_pairs = std::vector<std::pair<Index, Index>>;
 
-// A mesh as Python gives it; what is not given is None.
-struct Given_mesh
-{
-  py::array vertices; // (n, 3)
-  py::object offsets; // of polygons in `indices`; None: `indices` has a row for each triangle
-  py::array indices;
-  py::object marked_seams;  // (k, 2) vertices
-  py::object uv;            // (number of corners, 2)
-  py::object ignored_faces; // a flag for each face
-};
-
 inline std::string name_of(const std::string& array, const std::string& mesh)
 {
   return mesh.empty() ? array : array + " of " + mesh;
@@ -45,32 +32,31 @@ inline std::string name_of(const std::string& array, const std::string& mesh)
 
 namespace internal {
 
-inline void read_faces(const Given_mesh& given, const std::string& mesh, Surface_soup& soup)
+inline void read_faces(const abf_mesh& given, const std::string& mesh, Surface_soup& soup)
 {
-  if(static_cast<std::uint64_t>(given.indices.size()) >= Surface_soup::none) {
-    throw py::value_error(name_of("faces", mesh) + " has more than 4294967294 corners");
+  if(static_cast<std::uint64_t>(given.indices.shape[0] * given.indices.shape[1]) >= Surface_soup::none) {
+    throw Wrong_value(name_of("faces", mesh) + " has more than 4294967294 corners");
   }
   soup.vertices = read_indices(given.indices, soup.points.size(), name_of("faces", mesh), "vertices");
-  if(given.offsets.is_none()) {
+  if(!is_given(given.offsets)) {
     for(Index c = 3; c <= soup.vertices.size(); c += 3) {
       soup.first_corners.push_back(c);
     }
     return;
   }
-  soup.first_corners = read_indices(given.offsets.cast<py::array>(), soup.vertices.size() + 1,
-                                    name_of("offsets", mesh), "indices, and one more may be an offset");
+  soup.first_corners = read_indices(given.offsets, soup.vertices.size() + 1, name_of("offsets", mesh),
+                                    "indices, and one more may be an offset");
   for(std::size_t p = 1; p < soup.first_corners.size(); ++p) {
     if(soup.first_corners[p] < soup.first_corners[p - 1]) {
-      throw py::value_error(name_of("offsets", mesh) + "[" + std::to_string(p) +
-                            "] is less than the one before");
+      throw Wrong_value(name_of("offsets", mesh) + "[" + std::to_string(p) + "] is less than the one before");
     }
   }
   if(soup.first_corners.front() != 0 || soup.first_corners.back() != soup.vertices.size()) {
-    throw py::value_error(name_of("offsets", mesh) + " must begin with 0 and end with the number of indices");
+    throw Wrong_value(name_of("offsets", mesh) + " must begin with 0 and end with the number of indices");
   }
 }
 
-inline void read_texture(const py::array& uv, Surface_soup& soup)
+inline void read_texture(const abf_array& uv, Surface_soup& soup)
 {
   soup.texture = read_points<Kernel::Point_2, 2>(uv);
   soup.corner_texture.resize(soup.texture.size());
@@ -82,24 +68,22 @@ inline void read_texture(const py::array& uv, Surface_soup& soup)
 
 } // namespace internal
 
-inline Surface_soup soup_of(const Given_mesh& given, const std::string& mesh)
+inline Surface_soup soup_of(const abf_mesh& given, const std::string& mesh)
 {
   Surface_soup soup;
   soup.name = mesh;
   soup.points = read_points<Kernel::Point_3, 3>(given.vertices);
   internal::read_faces(given, mesh, soup);
-  if(!given.uv.is_none()) {
-    internal::read_texture(given.uv.cast<py::array>(), soup);
+  if(is_given(given.uv)) {
+    internal::read_texture(given.uv, soup);
   }
-  if(!given.ignored_faces.is_none()) {
-    const auto is_ignored = given.ignored_faces.cast<py::array_t<bool>>();
-    for(py::ssize_t p = 0; p < is_ignored.size(); ++p) {
-      soup.is_ignored.push_back(is_ignored.at(p));
-    }
+  const Elements<bool> is_ignored(given.ignored_faces);
+  for(std::int64_t p = 0; is_given(given.ignored_faces) && p < given.ignored_faces.shape[0]; ++p) {
+    soup.is_ignored.push_back(is_ignored(p));
   }
-  if(!given.marked_seams.is_none()) {
-    const std::vector<Index> vertices = read_indices(given.marked_seams.cast<py::array>(), soup.points.size(),
-                                                     name_of("marked_seams", mesh), "vertices");
+  if(is_given(given.marked_seams)) {
+    const std::vector<Index> vertices =
+        read_indices(given.marked_seams, soup.points.size(), name_of("marked_seams", mesh), "vertices");
     for(std::size_t i = 0; i < vertices.size(); i += 2) {
       soup.marked_seams.emplace_back(vertices[i], vertices[i + 1]);
     }

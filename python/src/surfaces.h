@@ -7,7 +7,8 @@
 #define ABF_PYTHON_SURFACES_H
 
 #include "failures.h"
-#include "interruptible.h"
+#include "progress.h"
+#include "results.h"
 #include "soups.h"
 
 #include <CGAL/Surface_mesh_parameterization/Diagnosis.h>
@@ -52,7 +53,9 @@ auto with_failures(const Function& f)
 {
   try {
     return f();
-  } catch(const py::builtin_exception&) {
+  } catch(const Wrong_value&) {
+    throw;
+  } catch(const Wrong_type&) {
     throw;
   } catch(const Mesh_failure&) {
     throw;
@@ -60,7 +63,7 @@ auto with_failures(const Function& f)
     throw;
   } catch(const prepare::Input_error& error) {
     if(is_of_argument(error.status)) {
-      throw py::value_error(error.what());
+      throw Wrong_value(error.what());
     }
     throw Mesh_failure(to_string(error.status), error.what(), {error.faces.begin(), error.faces.end()},
                        {error.vertices.begin(), error.vertices.end()});
@@ -116,7 +119,7 @@ template <class Report>
 void check_report(const Surface& surface, const Report& report)
 {
   if(report.status == SMP::Diagnosis::WRONG_OPTION) {
-    throw py::value_error(report.message);
+    throw Wrong_value(report.message);
   }
   if(!report) {
     std::vector<std::int64_t> vertices;

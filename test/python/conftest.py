@@ -6,6 +6,7 @@ SKIPPED = 77
 
 
 def pytest_sessionfinish(session, exitstatus):
+    # 5 is for files that are skipped as a whole
     reporter = session.config.pluginmanager.get_plugin("terminalreporter")
-    if exitstatus == 0 and reporter.stats.get("skipped"):
+    if exitstatus in (0, 5) and reporter.stats.get("skipped"):
         session.exitstatus = SKIPPED

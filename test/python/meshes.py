@@ -78,4 +78,9 @@ def soup(seed=0):
     return points, np.concatenate([faces, turned, fin, invalid])
 
 
+def write_off(file, vertices, faces):
+    lines = ["OFF", f"{len(vertices)} {len(faces)} 0", *(" ".join(map(repr, p)) for p in vertices.tolist())]
+    file.write_text("\n".join(lines + ["3 " + " ".join(map(str, f)) for f in faces.tolist()]) + "\n")
+
+
 ALL = {"hill": hill, "torus": torus, "sphere": sphere, "box": box, "soup": soup}
